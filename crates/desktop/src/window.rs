@@ -12,6 +12,7 @@ use meshwright_web::app::App;
 use meshwright_web::input::pacing::Pacing;
 use meshwright_web::platform::DeviceInfo;
 
+use crate::closing::Closing;
 use crate::platform::Desktop;
 
 /// The program's name, as the system knows its windows.
@@ -41,6 +42,7 @@ pub fn run(files: Vec<PathBuf>) -> eframe::Result {
 struct Window {
     app: App,
     pacing: Pacing,
+    closing: Closing,
 }
 
 impl Window {
@@ -51,7 +53,7 @@ impl Window {
         let platform = Desktop::new(ctx, files, device_info(graphics.as_ref()));
         let app = App::new(ctx, Box::new(platform), graphics);
         add_whole_fonts(ctx);
-        Self { app, pacing: Pacing::default() }
+        Self { app, pacing: Pacing::default(), closing: Closing::default() }
     }
 }
 
@@ -64,6 +66,7 @@ impl eframe::App for Window {
 
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         self.app.logic(ctx);
+        self.closing.follow(ctx, self.app.would_lose_changes());
     }
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {

@@ -163,7 +163,7 @@ pub static MENUS: &[Menu] = &[
                 entry(
                     A::Documents,
                     "Recent documents…",
-                    "List the documents that this browser keeps: open, rename, copy or delete them.",
+                    "List the documents that are kept: open, rename, copy or delete them.",
                 )
                 .synonyms(&["documents", "history", "recover", "autosave", "my files", "last session"]),
             ),

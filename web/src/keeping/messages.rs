@@ -1,20 +1,20 @@
-//! What the user is told about the documents that the browser keeps.
+//! What the user is told about the documents that are kept, by a browser or on a desktop.
 
 use meshwright_worker::store::{Failure, Refusal, WhyNot};
 
 /// Said when writing works again after a failure.
-pub(super) const KEPT_AGAIN: &str = "Changes are kept in this browser again.";
+pub(super) const KEPT_AGAIN: &str = "Changes are kept again.";
 
 /// Said when the store's worker ended and another one goes on.
 pub(super) const STORE_CRASHED: &str =
-    "The worker that keeps documents in this browser ended and was started again. Nothing was lost.";
+    "The worker that keeps documents ended and was started again. Nothing was lost.";
 
 /// What to do about a document of a later version.
-const GET_LATER: &str = "It is unchanged. Reload the page to get that version.";
+const GET_LATER: &str = "It is unchanged. Reload the page, or update the program, to get that version.";
 
 /// Said when a document is open twice.
-pub(super) const IS_COPY: &str = "This document is open in another tab, so this tab shows a copy of it. Changes here \
-                                  don't reach the other tab.";
+pub(super) const IS_COPY: &str = "This document is open in another tab or window, so this one shows a copy of it. \
+                                  Changes here don't reach the other one.";
 
 /// Said when a document of the list can't take the place of one that is being changed.
 pub(super) const NOT_OPENED_NOW: &str = "The document was not opened because you changed this one in the meantime. \
@@ -22,7 +22,7 @@ pub(super) const NOT_OPENED_NOW: &str = "The document was not opened because you
 
 /// Said when the last records were not completely written.
 pub(super) const CUT_OFF: &str =
-    "The last change was not completely written before the page ended, so it is missing.";
+    "The last change was not completely written before Meshwright ended, so it is missing.";
 
 /// Said after a document was deleted from the list.
 pub(super) fn deleted(name: &str) -> String {
@@ -32,7 +32,7 @@ pub(super) fn deleted(name: &str) -> String {
 /// Said when something that the list asked for was not done.
 pub(super) fn refused(refusal: &Refusal) -> String {
     match refusal {
-        Refusal::IsOpen => "Another tab shows this document. Close it there first.".to_owned(),
+        Refusal::IsOpen => "Another tab or window shows this document. Close it there first.".to_owned(),
         Refusal::NotChanged(failure) => format!("The document was not changed: {failure}."),
         Refusal::NotCopied(why) => format!("The document was not duplicated: {}.", reason(why)),
         Refusal::NotListed(failure) => format!("The list of documents can't be read: {failure}."),
@@ -52,8 +52,8 @@ fn reason(why: &WhyNot) -> String {
 pub(super) fn not_opened(why: &WhyNot) -> String {
     match why {
         WhyNot::Missing => {
-            "The last document is gone: this browser has removed what it kept for this page. Save documents \
-                            to files to keep them safe."
+            "The last document is gone: what was kept of it has been removed from the storage. Save documents \
+             to files to keep them safe."
                 .to_owned()
         }
         WhyNot::Later => format!("{} {GET_LATER}", unreadable(&reason(why))),
@@ -70,7 +70,7 @@ pub(super) fn unreadable(why: &str) -> String {
 pub(super) fn not_kept(failure: &Failure) -> String {
     let advice = match failure {
         Failure::Full => "Delete documents that you no longer need, or save this one to a file.",
-        _ => "Save the document to a file before you leave the page.",
+        _ => "Save the document to a file before you close Meshwright.",
     };
     format!("Changes are not kept: {failure}. {advice}")
 }

@@ -215,7 +215,7 @@ impl Keeper {
         let Some(replaying) = &mut opening.replaying else {
             let waited = started - *opening.waits_since.get_or_insert(started);
             if waited > MAX_WAIT_SECONDS {
-                let why = messages::unreadable("the browser's storage does not answer");
+                let why = messages::unreadable("the storage does not answer");
                 self.not_opened(session, Some(why));
             } else {
                 session.ctx.request_repaint_after_secs((MAX_WAIT_SECONDS - waited) as f32 + 0.1);

@@ -46,8 +46,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, own: &mut Documents, out: &mu
                 ui.label(RichText::new("Reading the list…").weak());
             }
             Some(documents) if documents.is_empty() => {
-                let text = "This browser keeps no documents yet. What you open or change is kept here by itself, until you \
-                            delete it.";
+                let text = "No documents are kept yet. What you open or change is kept by itself, until you delete it.";
                 ui.label(RichText::new(text).weak());
             }
             Some(documents) => list(ui, page, documents, own, out),
@@ -114,7 +113,7 @@ fn list(ui: &mut Ui, page: &Page<'_>, documents: &[Kept], own: &mut Documents, o
     let bytes: u64 = documents.iter().map(|kept| kept.bytes).sum();
     let take = if documents.len() == 1 { "takes" } else { "take" };
     let text = format!(
-        "{} {take} {} in this browser. Save important ones to files as well.",
+        "{} {take} {} of storage. Save important ones to files as well.",
         counted(documents.len(), "document", "documents"),
         size(bytes)
     );
@@ -141,7 +140,7 @@ fn row(ui: &mut Ui, page: &Page<'_>, kept: &Kept, own: &mut Documents, out: &mut
             let delete = ui.add_enabled_ui(!kept.is_open, |ui| {
                 icon_button(ui, Icon::Delete, &format!("Delete {name}"), false)
             });
-            let delete = delete.inner.on_hover_text("Delete this document from the browser");
+            let delete = delete.inner.on_hover_text("Delete this document");
             if delete.on_disabled_hover_text("It is open. Open another document first.").clicked() {
                 out.push(Request::Document(OfDocument::Delete(kept.id.clone(), name.clone())));
             }

@@ -148,7 +148,7 @@ fn form(ui: &mut Ui, page: &Page<'_>, own: &mut Saving, narrow: bool) -> bool {
     ui.horizontal(|ui| {
         let button = primary_button(ui, "Save").min_size(vec2(96.0, 28.0));
         let button = ui.add_enabled(ready, button);
-        let hint = "Save to this browser's downloads (Enter)";
+        let hint = "Save the file (Enter)";
         save |= button.on_hover_text(hint).on_disabled_hover_text("Enter a file name first.").clicked();
         let cancel = Button::new("Cancel").min_size(vec2(80.0, 28.0));
         if ui.add(cancel).on_hover_text("Close without saving (Escape)").clicked() {

@@ -130,7 +130,7 @@ fn the_next_visit_opens_the_last_document_and_two_tabs_do_not_overwrite_each_oth
     outside.open_in_new_tab();
     let mut second = Page::visit(&outside);
     assert_eq!(faces(&mut second), 10);
-    assert!(second.has_part("This document is open in another tab"));
+    assert!(second.has_part("This document is open in another tab or window"));
     second.command(json!({"op": "triangulate-faces", "faces": [2]}));
     first.command(json!({"op": "poke-faces"}));
     let (of_first, of_second) = (first.mesh().clone(), second.mesh().clone());
@@ -184,13 +184,13 @@ fn without_room_it_says_so_editing_goes_on_and_later_everything_is_kept_again() 
     disk.fail_after(10, Failure::Full);
     extrude(&mut page);
     settle(&mut page);
-    assert!(page.has_part("Changes are not kept: this browser has no more room"));
+    assert!(page.has_part("Changes are not kept: the storage has no more room"));
     page.command(json!({"op": "poke-faces"}));
     let poked = page.mesh().clone();
     disk.mend();
     page.outside.advance(31_000.0);
     settle(&mut page);
-    assert!(page.has_part("Changes are kept in this browser again."));
+    assert!(page.has_part("Changes are kept again."));
     let mut page = page.reload();
     assert_eq!(*page.mesh(), poked);
 }
@@ -204,7 +204,7 @@ fn a_browser_that_keeps_nothing_says_so_with_the_first_change() {
     assert!(!page.has_part("Changes are not kept"));
     extrude(&mut page);
     settle(&mut page);
-    assert!(page.has_part("lets the page keep nothing"));
+    assert!(page.has_part("the storage may not be written"));
     assert!(page.app().would_lose_changes());
 }
 
@@ -243,7 +243,7 @@ fn a_document_that_is_gone_or_damaged_is_named_and_the_page_begins_afresh() {
 
     outside.disk().set_contents(Default::default());
     let mut page = Page::visit(&outside);
-    assert!(page.has_part("has removed what it kept"));
+    assert!(page.has_part("has been removed from the storage"));
     assert_eq!(faces(&mut page), 6);
     drop(page);
 
@@ -330,7 +330,7 @@ fn rename(page: &mut Page, from: &str, to: &str) {
 fn documents_are_listed_opened_renamed_copied_deleted_and_brought_back() {
     let mut page = Page::new();
     open_list(&mut page);
-    assert!(page.has_part("This browser keeps no documents yet"));
+    assert!(page.has_part("No documents are kept yet"));
     page.press(Key::Escape);
     extrude(&mut page);
     page.open("tri.obj", TRIANGLE);
@@ -461,13 +461,15 @@ fn a_store_that_crashes_again_is_tried_later_and_the_user_is_told() {
     page.outside.crash_store(2);
     page.command(json!({"op": "poke-faces", "faces": [0]}));
     page.run();
-    assert!(page.has_part(
-        "Changes are not kept: this browser reports “it has crashed”. Save the document to a file"
-    ));
+    assert!(
+        page.has_part(
+            "Changes are not kept: the storage reports “it has crashed”. Save the document to a file"
+        )
+    );
     page.command(json!({"op": "poke-faces", "faces": [1]}));
     page.outside.advance(31_000.0);
     settle(&mut page);
-    assert!(page.has_part("Changes are kept in this browser again"));
+    assert!(page.has_part("Changes are kept again"));
     let mut page = page.reload();
     assert_eq!(faces(&mut page), 16);
 }

@@ -1,4 +1,5 @@
-//! Tools that are written once, in `crates/halfedge/src/geometry`, told by the shape of code that only they hold.
+//! Tools and records that are written once, most of them in `crates/halfedge/src/geometry`, told by the shape of code that
+//! only they hold.
 
 use super::source::Product;
 use super::tokens::Token;
@@ -18,11 +19,12 @@ const QUEUE: &str = "crates/surface/src/simplify/queue.rs";
 /// Adds up the normals of the triangles round a vertex.
 const POLISH: &str = "crates/surface/src/remesh/polish.rs";
 
-pub const TOOLS: [Tool; 4] = [
+pub const TOOLS: [Tool; 5] = [
     Tool { name: "bit sets", others: &[QUEUE], is_shape: shifts_by_index, window: 8 },
     Tool { name: "union-finds", others: &[], is_shape: joins_to_the_smaller, window: 24 },
     Tool { name: "point grids", others: &[], is_shape: keys_by_cell, window: 6 },
     Tool { name: "area vectors of polygons", others: &[POLISH], is_shape: sums_cross_products, window: 40 },
+    Tool { name: "records of a mesh with its name", others: &[], is_shape: names_a_mesh, window: 80 },
 ];
 
 /// The files that hold the shape of a tool, each once, as `path:line`.
@@ -107,6 +109,22 @@ fn sums_cross_products(window: &[Token]) -> bool {
     is_sum && !has(&["dot", "length"])
 }
 
+/// `struct … { name: …, mesh: …Mesh… }`, with other fields besides.
+fn names_a_mesh(window: &[Token]) -> bool {
+    let [keyword, rest @ ..] = window else { return false };
+    let body = rest.iter().position(|token| token.is("{") || token.is(";"));
+    let Some((open, body)) = body.and_then(|at| rest.get(at..)).and_then(<[Token]>::split_first) else {
+        return false;
+    };
+    let fields = body.iter().position(|token| token.is("}")).and_then(|end| body.get(..end)).unwrap_or(body);
+    let has = |name: &str| fields.windows(2).position(|two| matches!(two, [a, b] if a.is(name) && b.is(":")));
+    let is_mesh = |at: usize| {
+        let kind = fields.iter().skip(at).take_while(|token| !token.is(","));
+        kind.into_iter().any(|token| token.is("Mesh"))
+    };
+    keyword.is("struct") && open.is("{") && has("name").is_some() && has("mesh").is_some_and(is_mesh)
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::source::Source;
@@ -132,6 +150,9 @@ mod tests {
         let area = "area vectors of polygons";
         assert_eq!(found("pairs.map(|(a, b)| (a - o).cross(b - o)).sum::<DVec3>() * 0.5"), [area]);
         assert_eq!(found("sum += before.cross(here);"), [area]);
+        let record = "records of a mesh with its name";
+        assert_eq!(found("pub struct Part<'a> { pub name: &'a str, pub mesh: &'a Mesh, id: u32 }"), [record]);
+        assert_eq!(found("struct Input { mesh: Arc<Mesh>, name: String }"), [record]);
     }
 
     #[test]
@@ -143,6 +164,9 @@ mod tests {
             "area += (b - a).cross(c - a).length();",
             "volume += a.dot(b.cross(c));",
             "let normal = (b - a).cross(c - a); let sum = 0;",
+            "struct Instance { name: String, mesh: Option<usize> }",
+            "struct Target<'a> { mesh: &'a Mesh, selection: u32 } struct Named { name: String }",
+            "fn plan(name: &str, mesh: &Mesh) {}",
         ] {
             assert_eq!(found(text), Vec::<&str>::new(), "{text}");
         }

@@ -8,7 +8,7 @@ use std::fmt;
 pub enum Failure {
     /// There is no more room.
     Full,
-    /// The browser lets the page keep nothing, as in some private windows.
+    /// Nothing may be stored, as in some private windows.
     Denied,
     /// The file does not exist.
     Missing,
@@ -19,12 +19,10 @@ pub enum Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Full => f.write_str("this browser has no more room for this page"),
-            Self::Denied => {
-                f.write_str("this browser lets the page keep nothing, as in some private windows")
-            }
-            Self::Missing => f.write_str("the document was removed by this browser or by another tab"),
-            Self::Other(reason) => write!(f, "this browser reports “{}”", reason.trim_end_matches('.')),
+            Self::Full => f.write_str("the storage has no more room"),
+            Self::Denied => f.write_str("the storage may not be written, as in some private windows"),
+            Self::Missing => f.write_str("the document was removed from the storage"),
+            Self::Other(reason) => write!(f, "the storage reports “{}”", reason.trim_end_matches('.')),
         }
     }
 }
