@@ -53,6 +53,20 @@ editorTest("save writes to the file that was opened", once, async (editor) => {
   assert.equal(faces(await content(editor, "part.obj")), 7);
 });
 
+editorTest("after a reload, save still writes to the file", once, async (editor) => {
+  await offer(editor, "part.obj", grid(2, 2));
+  await openOffered(editor, "part");
+  await editor.run({ op: "poke-faces", faces: [0] });
+  await editor.page.waitForTimeout(1000);
+  await editor.page.reload();
+  await editor.page.evaluate(() => window.meshwright.ready);
+  await editor.until("the document is back", async () => (await editor.state()).document.name === "part");
+  // What the file is saved to is read from the browser's storage meanwhile.
+  await editor.page.waitForTimeout(1000);
+  await editor.press("Control+s");
+  await editor.until("the file is written", async () => faces(await content(editor, "part.obj")) === 7);
+});
+
 editorTest("a file that may not be written is said not to be, and stays", once, async (editor) => {
   await offer(editor, "part.obj", grid(2, 2));
   await openOffered(editor, "part");

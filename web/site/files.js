@@ -23,6 +23,32 @@
       await writable.close();
     }
   };
+  // The files that kept documents are saved to, by the documents' ids. Only IndexedDB can store handles.
+  const MAX_REMEMBERED = 200;
+  const finished = (request) => new Promise((resolve, reject) => {
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error);
+  });
+  let database;
+  const remembered = async (mode) => {
+    if (!database) {
+      const opening = indexedDB.open("meshwright-files", 1);
+      opening.onupgradeneeded = () => opening.result.createObjectStore("files").createIndex("date", "date");
+      database = finished(opening);
+      database.catch(() => { database = undefined; });
+    }
+    return (await database).transaction("files", mode).objectStore("files");
+  };
+  const forgetOldest = async (files) => {
+    const keys = await finished(files.index("date").getAllKeys());
+    for (const key of keys.slice(0, -MAX_REMEMBERED)) files.delete(key);
+  };
+  // One change after the other. Where none can be made, as in some private windows, saving asks where after a reload.
+  let remembering = Promise.resolve();
+  const changeRemembered = (change) => {
+    remembering = remembering.then(async () => change(await remembered("readwrite"))).catch(() => {});
+  };
+
   /** The files of handles, with their source. The editor reads them. */
   const open = async (handles) => [noteSource(handles), await Promise.all(handles.map((handle) => handle.getFile()))];
 
@@ -82,6 +108,25 @@
       const asked = [...(sources[source]?.values() ?? [])].map((handle) => handle.requestPermission({ mode: "readwrite" }));
       permissions.set(source, Promise.all(asked));
       permissions.get(source).catch(() => {});
+    },
+    /** Remembers that a kept document is saved to a file of a source, and in which format. */
+    rememberFile(document, source, name, format) {
+      const handles = [...(sources[source]?.values() ?? [])];
+      changeRemembered(async (files) => {
+        await finished(files.put({ date: Date.now(), name, format, handles }, document));
+        await forgetOldest(files);
+      });
+    },
+    /** Forgets the file of a kept document. */
+    forgetFile(document) {
+      changeRemembered((files) => finished(files.delete(document)));
+    },
+    /** The file of a kept document: source, name and format; nothing if none is remembered. */
+    async recallFile(document) {
+      await remembering;
+      const file = await finished((await remembered("readonly")).get(document));
+      const source = file && noteSource(file.handles);
+      return source === undefined ? undefined : [source, file.name, file.format];
     },
     /** Writes files of a source. */
     write(source, names, contents) {

@@ -183,6 +183,7 @@ impl App {
                 Event::FilesOf(source, files) => saving::open(&mut self.session, source, files),
                 Event::Written { files, result } => saving::written(&mut self.session, &files, result),
                 Event::Placed(result) => saving::placed(&mut self.session, result),
+                Event::Recalled { document, file } => saving::recalled(&mut self.session, &document, file),
                 Event::UpdateReady => update::offer(&mut self.session),
                 Event::Failed(text) => self.session.fail(text),
                 Event::Store(answer, bytes) => {

@@ -6,6 +6,7 @@
 mod list;
 mod messages;
 mod opening;
+mod place;
 mod saved_view;
 mod thumbnail;
 mod writing;
@@ -25,6 +26,7 @@ use crate::session::{Session, sharing};
 use crate::shown::Shown;
 use crate::view::View;
 use opening::Opening;
+use place::Place;
 use writing::Writing;
 
 /// The setting with the document that the next visit opens, and in which this tab shows what it shows.
@@ -54,6 +56,8 @@ pub(crate) struct Keeper {
     has_told: bool,
     /// Whether the browser was asked to keep what is kept.
     has_persisted: bool,
+    /// The file that it is saved to.
+    place: Place,
     /// Whether the store was asked to remove what earlier visits left behind.
     has_swept: bool,
 }
@@ -275,6 +279,9 @@ impl Keeper {
             self.go_on_opening(session, view, shown);
         } else {
             self.write(session, view);
+            if let Some(kept) = &self.kept {
+                self.place.follow(session, kept);
+            }
         }
     }
 

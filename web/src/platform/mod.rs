@@ -11,6 +11,7 @@ pub mod browser;
 pub mod headless;
 
 use editor::{CommandError, JobRequest, JobResult};
+use formats::Format;
 pub use formats::NamedBytes;
 pub use meshwright_worker::store;
 
@@ -36,6 +37,25 @@ pub struct Fetched {
 
 /// Files that came together and can be written again, by their number.
 pub type Source = u32;
+
+/// A file on the user's disk that a document is saved to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlacedFile {
+    /// The number of the files that it came with.
+    pub source: Source,
+    /// Its name.
+    pub name: String,
+    /// The format that it is written in.
+    pub format: Format,
+}
+
+impl PlacedFile {
+    /// A file of a source; none if a document can't be saved in its format.
+    pub fn new(source: Source, name: &str, format: Option<Format>) -> Option<Self> {
+        let format = format.filter(|format| format.can_open() && format.can_save())?;
+        Some(Self { source, name: name.to_owned(), format })
+    }
+}
 
 /// What becomes of files that were given to the user.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,6 +115,13 @@ pub enum Event {
     },
     /// What came of asking where files go, or why they were not written, in a sentence; none if the user changed their mind.
     Placed(Option<Result<Placed, String>>),
+    /// The file that was remembered with a kept document.
+    Recalled {
+        /// The document.
+        document: store::Id,
+        /// The file, with a number of this visit.
+        file: PlacedFile,
+    },
     /// A newer version of the page is there.
     UpdateReady,
     /// A sentence on why something the user asked for failed, such as reading a dropped file.
@@ -150,6 +177,12 @@ pub trait Platform {
 
     /// Writes files of a source, once the user allows it. Their fate comes as [`Event::Written`].
     fn write_back(&mut self, source: Source, files: Vec<NamedBytes>);
+
+    /// Remembers for later visits which file a kept document is saved to, or that there is none.
+    fn remember_file(&mut self, document: &store::Id, file: Option<&PlacedFile>);
+
+    /// Asks for the file that was remembered with a kept document. If there is one, [`Event::Recalled`] follows.
+    fn recall_file(&mut self, document: &store::Id);
 
     /// Reloads the page with the newer version.
     fn update(&mut self);

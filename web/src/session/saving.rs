@@ -4,8 +4,8 @@ use editor::{JobId, MessageKind};
 use formats::Format;
 
 use super::Session;
-use super::in_place::File;
-use crate::platform::{Download, NamedBytes, Placed, Source};
+use crate::platform::store::Id;
+use crate::platform::{Download, NamedBytes, Placed, PlacedFile, Source};
 
 /// Opens files that can be written again.
 pub(crate) fn open(session: &mut Session, source: Source, files: Vec<NamedBytes>) {
@@ -20,14 +20,21 @@ pub(super) fn opening(session: &mut Session, id: JobId, source: Option<Source>, 
 }
 
 /// The model among files, if a document can be saved in its format.
-fn model_of(source: Source, files: &[NamedBytes]) -> Option<File> {
-    files.iter().find_map(|file| File::new(source, &file.name, Format::detect(file)))
+fn model_of(source: Source, files: &[NamedBytes]) -> Option<PlacedFile> {
+    files.iter().find_map(|file| PlacedFile::new(source, &file.name, Format::detect(file)))
 }
 
 /// Notes that a job has opened its files.
 pub(crate) fn opened(session: &mut Session, id: JobId) {
     let opened = session.in_place.opening.take_if(|(job, _)| *job == id);
     session.in_place.file = opened.map(|(_, file)| (session.editor.document().origin(), file));
+}
+
+/// Goes on saving the shown document to the file of an earlier visit, unless it has another one by now.
+pub(crate) fn recalled(session: &mut Session, document: &Id, file: PlacedFile) {
+    if session.documents.shown.as_ref() == Some(document) && session.in_place.file.is_none() {
+        session.in_place.file = Some((session.editor.document().origin(), file));
+    }
 }
 
 /// Starts to save the document to the file that it was opened from; false if there is none. `view` goes into project files.
@@ -105,7 +112,7 @@ pub(crate) fn placed(session: &mut Session, placed: Option<Result<Placed, String
                 return session.toast(MessageKind::Info, said(&names), Vec::new());
             }
             saved_under(session, &names, saves);
-            let file = names.first().and_then(|name| File::new(source, name, Format::from_name(name)));
+            let file = names.first().and_then(|name| PlacedFile::new(source, name, Format::from_name(name)));
             session.in_place.file = file.map(|file| (origin, file));
         }
     }

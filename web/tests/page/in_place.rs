@@ -107,6 +107,39 @@ fn a_document_from_the_list_is_not_written_over_the_file_of_the_one_before() {
 }
 
 #[test]
+fn after_a_reload_the_document_is_saved_to_its_file() {
+    let mut page = opened("part.obj");
+    page.command(json!({ "op": "poke-faces", "faces": [0] }));
+    page.outside.advance(6000.0);
+    page.run();
+    let mut page = page.reload();
+    assert_eq!(page.app().editor().document().name(), "part");
+    assert!(page.app().editor().is_dirty());
+    press_save(&mut page);
+    assert_eq!(written(&page), ["part.obj"]);
+    assert!(!page.app().editor().is_dirty());
+
+    // A copy in another tab has no claim to the file.
+    let outside = page.outside.clone();
+    outside.open_in_new_tab();
+    let mut other = Page::visit(&outside);
+    press_save(&mut other);
+    assert!(other.has("File name"), "where it goes is asked");
+    drop(other);
+
+    // Saved under another name, it has left the file, and a reload does not bring it back.
+    page.click("File");
+    page.click("Save as");
+    page.click(Format::from_code("off").expect("a format").save_label());
+    page.click("Save");
+    page.run();
+    let mut page = page.reload();
+    press_save(&mut page);
+    assert!(page.has("File name"));
+    assert_eq!(written(&page).len(), 1);
+}
+
+#[test]
 fn of_two_saves_in_a_row_each_counts_for_its_own_contents() {
     let mut page = opened("part.obj");
     page.outside.hold_writes();

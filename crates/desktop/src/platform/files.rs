@@ -80,6 +80,22 @@ impl Files {
         self.path(source).is_some()
     }
 
+    /// The path of a source, to find it again in a later run.
+    pub fn path(&self, source: Source) -> Option<PathBuf> {
+        let known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        known.get(source as usize).cloned()
+    }
+
+    /// The source of a file by its path.
+    pub fn number(&self, path: PathBuf) -> Source {
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let at = known.iter().position(|other| *other == path).unwrap_or_else(|| {
+            known.push(path);
+            known.len() - 1
+        });
+        Source::try_from(at).unwrap_or(Source::MAX)
+    }
+
     fn open_now(&self, paths: &[PathBuf]) {
         match read_all(paths) {
             Ok(files) if files.is_empty() => {}
@@ -107,20 +123,6 @@ impl Files {
             [path] => Some(self.number(path.clone())),
             _ => None,
         }
-    }
-
-    fn number(&self, path: PathBuf) -> Source {
-        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        let at = known.iter().position(|other| *other == path).unwrap_or_else(|| {
-            known.push(path);
-            known.len() - 1
-        });
-        Source::try_from(at).unwrap_or(Source::MAX)
-    }
-
-    fn path(&self, source: Source) -> Option<PathBuf> {
-        let known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        known.get(source as usize).cloned()
     }
 }
 

@@ -5,6 +5,7 @@ mod files;
 mod folder_disk;
 mod inbox;
 mod jobs;
+mod places;
 mod settings;
 mod store;
 
@@ -15,8 +16,9 @@ use std::time::{Instant, SystemTime, UNIX_EPOCH};
 use directories::ProjectDirs;
 use editor::JobRequest;
 use egui::ViewportCommand;
+use formats::Format;
 use meshwright_web::platform::store::{Id, Request};
-use meshwright_web::platform::{DeviceInfo, Download, Event, NamedBytes, Platform, Source};
+use meshwright_web::platform::{DeviceInfo, Download, Event, NamedBytes, PlacedFile, Platform, Source};
 
 use files::Files;
 use inbox::Inbox;
@@ -119,6 +121,21 @@ impl Platform for Desktop {
 
     fn write_back(&mut self, source: Source, files: Vec<NamedBytes>) {
         self.files.write_back(source, files);
+    }
+
+    fn remember_file(&mut self, document: &Id, file: Option<&PlacedFile>) {
+        let file = file.and_then(|file| Some((self.files.path(file.source)?, file.format.code())));
+        let file = file.as_ref().map(|(path, format)| (path.as_path(), *format));
+        places::remember(&mut self.settings, document, file);
+    }
+
+    fn recall_file(&mut self, document: &Id) {
+        let Some((path, format)) = places::recall(&self.settings, document) else { return };
+        let Some(name) = path.file_name().map(|name| name.to_string_lossy().into_owned()) else { return };
+        let source = self.files.number(path);
+        if let Some(file) = PlacedFile::new(source, &name, Format::from_code(&format)) {
+            self.inbox.push(Event::Recalled { document: document.clone(), file });
+        }
     }
 
     fn update(&mut self) {}

@@ -8,7 +8,8 @@ use web_sys::File;
 
 use super::files::read_all;
 use super::inbox::{Inbox, describe};
-use crate::platform::{Event, NamedBytes, Source};
+use crate::platform::{Event, NamedBytes, PlacedFile, Source};
+use formats::Format;
 
 #[wasm_bindgen]
 extern "C" {
@@ -26,6 +27,12 @@ extern "C" {
     fn ask_to_write(source: Source);
     #[wasm_bindgen(js_namespace = meshwrightPage)]
     fn write(source: Source, names: Array, contents: Array) -> Promise;
+    #[wasm_bindgen(js_namespace = meshwrightPage, js_name = rememberFile)]
+    fn remember_file(document: &str, source: Source, name: &str, format: &str);
+    #[wasm_bindgen(js_namespace = meshwrightPage, js_name = forgetFile)]
+    fn forget_file(document: &str);
+    #[wasm_bindgen(js_namespace = meshwrightPage, js_name = recallFile)]
+    fn recall_file(document: &str) -> Promise;
 }
 
 /// Delivers the files that the system opens with the page, or that another program shared with it.
@@ -72,6 +79,33 @@ pub fn write_back(source: Source, files: Vec<NamedBytes>, inbox: Inbox) {
         let result = JsFuture::from(written).await.map(drop).map_err(|error| describe(&error));
         inbox.push(Event::Written { files: names, result });
     });
+}
+
+/// Remembers for later visits which file a document is saved to.
+pub fn remember(document: &str, file: Option<&PlacedFile>) {
+    match file {
+        Some(file) => remember_file(document, file.source, &file.name, file.format.code()),
+        None => forget_file(document),
+    }
+}
+
+/// Delivers the file that a document is saved to since an earlier visit.
+pub fn recall(document: String, inbox: Inbox) {
+    let recalled = recall_file(&document);
+    spawn_local(async move {
+        // A browser that remembers nothing says so here; saving then asks where.
+        let Ok(file) = JsFuture::from(recalled).await else { return };
+        if let Some(file) = as_file(&file) {
+            inbox.push(Event::Recalled { document, file });
+        }
+    });
+}
+
+/// A file as an array of its source, its name and its format's code; none of `undefined`.
+fn as_file(value: &JsValue) -> Option<PlacedFile> {
+    let fields = value.dyn_ref::<Array>()?;
+    let format = Format::from_code(&fields.get(2).as_string()?);
+    PlacedFile::new(as_source(&fields.get(0))?, &fields.get(1).as_string()?, format)
 }
 
 /// Reads files and delivers them: those of a promise of a source and an array.

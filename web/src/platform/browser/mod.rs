@@ -14,7 +14,7 @@ mod wait;
 mod worker;
 
 use super::store::{Id, Request};
-use super::{DeviceInfo, Download, Event, NamedBytes, Platform, Source};
+use super::{DeviceInfo, Download, Event, NamedBytes, PlacedFile, Platform, Source};
 use editor::JobRequest;
 use fetch::Fetches;
 use files::FilePicker;
@@ -130,6 +130,14 @@ impl Platform for Browser {
 
     fn write_back(&mut self, source: Source, files: Vec<NamedBytes>) {
         handles::write_back(source, files, self.inbox.clone());
+    }
+
+    fn remember_file(&mut self, document: &Id, file: Option<&PlacedFile>) {
+        handles::remember(document, file);
+    }
+
+    fn recall_file(&mut self, document: &Id) {
+        handles::recall(document.clone(), self.inbox.clone());
     }
 
     fn update(&mut self) {

@@ -10,7 +10,7 @@ use editor::{CommandError, JobRequest, JobResult, Wire};
 pub use outside::Outside;
 
 use crate::platform::store::{Answer, Documents, Id, Request, Tab, now_or_never};
-use crate::platform::{DeviceInfo, Download, Event, NamedBytes, Platform, Source};
+use crate::platform::{DeviceInfo, Download, Event, NamedBytes, PlacedFile, Platform, Source};
 
 fn run(job: u64, request: &[u8]) -> Event {
     let result = JobRequest::from_bytes(request)
@@ -120,6 +120,21 @@ impl Platform for Headless {
         match &mut inner.held_writes {
             Some(held) => held.push_back(event),
             None => inner.events.push(event),
+        }
+    }
+
+    fn remember_file(&mut self, document: &Id, file: Option<&PlacedFile>) {
+        let files = &mut self.outside.inner.borrow_mut().files;
+        match file {
+            Some(file) => drop(files.insert(document.clone(), file.clone())),
+            None => drop(files.remove(document)),
+        }
+    }
+
+    fn recall_file(&mut self, document: &Id) {
+        let file = self.outside.inner.borrow().files.get(document).cloned();
+        if let Some(file) = file {
+            self.outside.push(Event::Recalled { document: document.clone(), file });
         }
     }
 

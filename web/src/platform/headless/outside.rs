@@ -5,8 +5,8 @@ use std::collections::{HashMap, VecDeque};
 use std::rc::Rc;
 
 use super::run;
-use crate::platform::store::MemoryDisk;
-use crate::platform::{Event, NamedBytes, Source};
+use crate::platform::store::{Id, MemoryDisk};
+use crate::platform::{Event, NamedBytes, PlacedFile, Source};
 
 /// The test's side of a headless platform; clones share their state.
 #[derive(Clone, Default)]
@@ -44,6 +44,8 @@ pub(super) struct Inner {
     pub(super) is_timed: bool,
     /// The names of the files of each source.
     pub(super) sources: Vec<Vec<String>>,
+    /// The files that kept documents are saved to.
+    pub(super) files: HashMap<Id, PlacedFile>,
     pub(super) written: Vec<NamedBytes>,
     /// Why files can't be written.
     pub(super) refuses_writes: Option<String>,
