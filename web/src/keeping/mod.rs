@@ -280,7 +280,7 @@ impl Keeper {
         } else {
             self.write(session, view);
             if let Some(kept) = &self.kept {
-                self.place.follow(session, kept);
+                self.place.follow(session, &kept.id, kept.origin);
             }
         }
     }
