@@ -24,5 +24,6 @@ mod session;
 mod shown;
 pub mod theme;
 mod transforming;
+mod units;
 mod view;
 mod widgets;

@@ -16,6 +16,7 @@ use crate::shown::Shown;
 use crate::transforming::{CursorAction, Gizmo};
 use crate::view::pane::Split;
 use crate::view::{Tool, View};
+use crate::widgets::number_box::length_unit;
 use viewport::{Rotation, Shading};
 
 /// Everything that a panel may read.
@@ -128,6 +129,7 @@ impl Page<'_> {
             Action::Numbers => self.shown.numbers,
             Action::AddToSelection => self.shown.adds,
             Action::Arrange(arrangement) => self.shown.is_arranged && self.shown.arrangement == arrangement,
+            Action::LengthUnit(unit) => length_unit(&self.ctx) == unit,
             Action::InterfaceScale(percent) => self.shown.scale_percent == percent,
             Action::LeftPanel => self.shown.left,
             Action::RightPanel => self.shown.right,

@@ -9,7 +9,7 @@ use egui::ThemePreference;
 use formats::Format;
 use halfedge::{Element, HalfedgeId, Mesh};
 
-use super::{App, camera, key_settings, layout, theme_setting, transforming};
+use super::{App, camera, key_settings, layout, length_unit, theme_setting, transforming};
 use crate::bezier::{self, ControlPoint};
 use crate::input::actions::Action;
 use crate::input::availability::{follows_pointer, opens_form};
@@ -182,6 +182,7 @@ impl App {
             Action::AddToSelection => self.shown.adds ^= true,
             Action::Arrange(arrangement) => self.arrange(arrangement),
             Action::InterfaceScale(percent) => self.set_scale(percent),
+            Action::LengthUnit(unit) => length_unit::choose(&mut self.session, unit),
             Action::SystemTheme => theme_setting::choose(&mut self.session, ThemePreference::System),
             Action::LightTheme => theme_setting::choose(&mut self.session, ThemePreference::Light),
             Action::DarkTheme => theme_setting::choose(&mut self.session, ThemePreference::Dark),

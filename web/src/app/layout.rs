@@ -151,14 +151,21 @@ fn store(layout: &Layout, platform: &mut dyn Platform) {
     }
 }
 
+/// Takes the scale and the up axis of the last visit.
+pub(super) fn load_scale_and_axis(app: &mut App) {
+    let platform = &*app.session.platform;
+    app.shown.scale_percent = load_scale(platform);
+    app.view.camera.up = load_up_axis(platform);
+}
+
 /// The scale of the last visit, in percent.
-pub(super) fn load_scale(platform: &dyn Platform) -> u16 {
+fn load_scale(platform: &dyn Platform) -> u16 {
     let kept = platform.load_setting(SCALE_SETTING).and_then(|kept| kept.parse().ok());
     kept.filter(|percent| SCALES_PERCENT.contains(percent)).unwrap_or(100)
 }
 
 /// The up axis of the last visit.
-pub(super) fn load_up_axis(platform: &dyn Platform) -> UpAxis {
+fn load_up_axis(platform: &dyn Platform) -> UpAxis {
     match platform.load_setting(UP_AXIS_SETTING).as_deref() {
         Some("z") => UpAxis::Z,
         _ => UpAxis::Y,

@@ -7,6 +7,7 @@ mod carry_out;
 pub mod drawing;
 mod key_settings;
 mod layout;
+mod length_unit;
 pub mod notices;
 mod panels;
 mod script;
@@ -86,10 +87,9 @@ impl App {
             options.input_options.max_double_click_delay = MAX_DOUBLE_CLICK_SECONDS;
         });
         theme_setting::load(ctx, &*platform);
+        length_unit::load(ctx, &*platform);
         let panels = Panels::new(&*platform);
         let layout = Layout::load(&*platform);
-        let scale_percent = layout::load_scale(&*platform);
-        let up_axis = layout::load_up_axis(&*platform);
         let mut app = Self {
             session: Session::new(ctx, platform),
             shown: Shown::default(),
@@ -107,8 +107,7 @@ impl App {
             starting: true,
             title: String::new(),
         };
-        app.shown.scale_percent = scale_percent;
-        app.view.camera.up = up_axis;
+        layout::load_scale_and_axis(&mut app);
         app.apply_layout();
         key_settings::load(&mut app.session);
         camera::load(&mut app.session, &mut app.view);

@@ -9,8 +9,9 @@ use egui::{Context, ScrollArea, Ui};
 use crate::bezier;
 use crate::page_view::Page;
 use crate::platform::Platform;
-use crate::request::Requests;
+use crate::request::{Request, Requests};
 use crate::session::Session;
+use crate::widgets::number_box;
 
 /// What the list of operations keeps of the column's height, in points: its filter, a heading and some rows.
 const OPERATIONS_HEIGHT_POINTS: f32 = 272.0;
@@ -111,6 +112,9 @@ impl Panels {
 
     /// The windows over the page.
     pub fn windows(&mut self, ctx: &Context, page: &Page<'_>, narrow: bool, out: &mut Requests) {
+        if let Some(reason) = number_box::take_refusal(ctx) {
+            out.push(Request::Warn(reason));
+        }
         hidden_bar::show(ctx, page, out);
         named_selections::show(ctx, page, &mut self.naming, out);
         welcome::show(ctx, page, &mut self.welcome, &mut self.documents, out);

@@ -14,6 +14,7 @@ use crate::platform::NamedBytes;
 use crate::session::jobs::Reply;
 use crate::view::panes::name_of;
 use crate::view::textures::State;
+use crate::widgets::number_box::length_unit;
 
 /// Script calls between two frames. When they are done, everything is updated to what they changed.
 pub struct Script<'a> {
@@ -108,6 +109,7 @@ impl Script<'_> {
             "roll": camera.roll,
             "distance": camera.distance,
             "orthographic": camera.orthographic,
+            "length_unit": length_unit(&self.app.session.ctx).name(),
             "cursor": view.cursor.is_shown.then(|| view.cursor.at.to_array()),
             "wireframe": style.wireframe,
             "smooth": style.shading == Shading::Smooth,

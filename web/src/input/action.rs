@@ -13,6 +13,7 @@ use super::key_preset::KeyPreset;
 use super::presets::Preset;
 use crate::shown::Arrangement;
 use crate::transforming::{CursorAction, Gizmo, Orientation, Pivot, SnapTo, Symmetry};
+use crate::units::LengthUnit;
 use crate::view::pane::Split;
 
 /// Something the user can start.
@@ -159,6 +160,8 @@ pub enum Action {
     Arrange(Arrangement),
     /// Scales the interface, in percent.
     InterfaceScale(u16),
+    /// Says what one unit of the mesh is, for typed lengths.
+    LengthUnit(LengthUnit),
     /// Follows the system's light or dark theme.
     SystemTheme,
     /// The light theme.

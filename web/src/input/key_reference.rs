@@ -19,7 +19,7 @@ There are three presets of keys: Course (the default), Blender and Maya. Edit > 
 visits; `?keys=blender` in the page's address chooses one for this visit. Help > Keyboard shortcuts changes the keys of \
 the chosen preset. Ctrl is Command on a Mac, and Alt is Option.
 
-While an edit follows the pointer, digits type its amount, X, Y and Z lock an axis (with Shift a plane), Tab goes to the \
+While an edit follows the pointer, digits type its amount (arithmetic and units too), X, Y and Z lock an axis (with Shift a plane), Tab goes to the \
 next number, Enter applies and Escape cancels, in all presets. The key of Move, pressed again during a move, slides the \
 selection along its neighbours (G G). A key of Snap to grid, steps, vertices, edges or faces snaps while it is held, as X, V \
 and C do in Maya.

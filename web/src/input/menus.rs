@@ -8,6 +8,7 @@ use super::actions;
 use super::key_preset::KeyPreset;
 use super::presets::Preset;
 use super::{select_menu, transform_menu, view_menu};
+use crate::units::LengthUnit;
 
 /// A menu; an entry of `None` is a separator.
 pub struct Menu {
@@ -119,6 +120,7 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::Mirror(_) => Some("Symmetry"),
         A::SnapTo(_) => Some("Snap to"),
         A::Arrange(_) => Some("Layout"),
+        A::LengthUnit(_) => Some("Unit of length"),
         A::InterfaceScale(_) => Some("Interface scale"),
         A::UseKeys(_) => Some("Keys"),
         A::SystemTheme | A::LightTheme | A::DarkTheme => Some("Theme"),
@@ -128,6 +130,12 @@ pub fn submenu(action: Action) -> Option<&'static str> {
 
 /// Other names for the presets of keys.
 const KEYS: &[&str] = &["keymap", "shortcuts", "hotkeys", "preset"];
+
+const fn unit(unit: LengthUnit, label: &'static str) -> Option<Entry> {
+    let description =
+        "Choose what one unit of the mesh is, so that typed lengths may have units. Coordinates stay.";
+    Some(entry(A::LengthUnit(unit), label, description).synonyms(&["unit of length", "metric", "imperial"]))
+}
 
 /// The menus, left to right. The mesh menu continues with the editor's operations.
 pub static MENUS: &[Menu] = &[
@@ -225,6 +233,12 @@ pub static MENUS: &[Menu] = &[
             Some(entry(A::SystemTheme, "System theme", "Use the system's light or dark theme.")),
             Some(entry(A::LightTheme, "Light theme", "Use dark text on a light page.")),
             Some(entry(A::DarkTheme, "Dark theme", "Use light text on a dark page.")),
+            unit(LengthUnit::None, "No unit"),
+            unit(LengthUnit::Millimetre, "Millimetres"),
+            unit(LengthUnit::Centimetre, "Centimetres"),
+            unit(LengthUnit::Metre, "Metres"),
+            unit(LengthUnit::Inch, "Inches"),
+            unit(LengthUnit::Foot, "Feet"),
         ],
     },
     Menu { id: MenuId::Select, entries: select_menu::ENTRIES },

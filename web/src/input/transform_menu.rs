@@ -118,7 +118,7 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
             "Merge at cursor",
             "Merge the selected vertices into one at the 3D cursor.",
         )
-        .synonyms(&["weld", "3d cursor"]),
+        .synonyms(CURSOR),
     ),
     Some(
         entry(A::Cursor(CursorAction::Show), "Show 3D cursor", "Show or hide the 3D cursor.")

@@ -16,6 +16,7 @@ use super::trail::Trail;
 use super::typed::Typed;
 use crate::session::form::{self, Filled};
 use crate::transforming::{Orientation, Pivot, Settings, SnapTo};
+use crate::units::{LengthUnit, Measure};
 use crate::view::View;
 use crate::view::ring::RingCut;
 
@@ -97,7 +98,7 @@ impl Live {
         place: SelectionPlace,
         [anchor, cursor]: [Vec3; 2],
         track: Option<Track>,
-        view: &View,
+        (view, unit): (&View, LengthUnit),
     ) -> Option<Self> {
         let spec = start.id.spec();
         let field = spec.field(start.field).filter(|field| field.drag.is_some()).or(spec.dragged_field())?;
@@ -119,7 +120,7 @@ impl Live {
             drag,
             value: at_rest(drag),
             lock: start.lock,
-            typed: Typed::default(),
+            typed: Typed::new(measure_of(drag), unit),
             count,
             place,
             cursor,
@@ -319,7 +320,7 @@ impl Live {
     /// Sets the amount, which then no longer follows the pointer.
     pub fn set_amount(&mut self, value: Vec3) {
         self.follows = false;
-        self.typed = Typed::default();
+        self.typed.clear();
         self.set_value(value);
     }
 
@@ -365,6 +366,15 @@ pub(crate) enum Snap {
 impl Snap {
     fn is_round(self) -> bool {
         matches!(self, Self::Steps | Self::Grid)
+    }
+}
+
+/// What the numbers of an amount measure.
+pub(crate) fn measure_of(drag: Drag) -> Measure {
+    match drag {
+        Drag::Offset | Drag::Distance | Drag::Width => Measure::Length,
+        Drag::Rotation => Measure::Angle,
+        Drag::Factors | Drag::Fraction | Drag::Slide => Measure::Factor,
     }
 }
 

@@ -42,7 +42,8 @@ impl Live {
                         }
                         _ if typing || modifiers.command || modifiers.alt => false,
                         Key::Enter => {
-                            ending = Some(Ending::Apply);
+                            // The bar says why a number can't be what is typed: it can be typed again.
+                            ending = self.typed.refusal().is_none().then_some(Ending::Apply);
                             true
                         }
                         Key::Backspace => {
@@ -54,7 +55,7 @@ impl Live {
                             true
                         }
                         // What they type is text: they must not move the view too.
-                        _ if types_number(*key) => true,
+                        _ if types_number(*key) || self.types_letter(*key) => true,
                         _ => match axis_of(*key).filter(|_| self.takes_lock() && !snaps(*key)) {
                             Some(axis) => {
                                 self.press_axis(axis, modifiers.shift, settings);
@@ -90,6 +91,13 @@ impl Live {
     pub(crate) fn wheel_words(&self, settings: &Settings) -> Option<String> {
         let count = self.count.map(|(field, _)| field.label());
         count.or_else(|| (self.id == OpId::Transform && settings.soft).then(|| "Radius".to_owned()))
+    }
+
+    /// Whether a key types a letter of the number that is being typed: of `pi` or a unit.
+    fn types_letter(&self, key: Key) -> bool {
+        let mut name = key.name().chars();
+        let letter = name.next().filter(|letter| letter.is_ascii_alphabetic() && name.next().is_none());
+        letter.is_some_and(|letter| self.typed.takes(letter))
     }
 
     /// How many numbers can be typed.

@@ -12,6 +12,7 @@ use crate::page_view::Page;
 use crate::panels::menu_bar::{explain, menu_item};
 use crate::panels::viewport::control_points::moved;
 use crate::request::{Request, Requests};
+use crate::units::Measure;
 use crate::widgets::number_box::number_box;
 
 /// Shows the panel, unless the active object is a mesh.
@@ -141,7 +142,9 @@ fn patch_points(ui: &mut Ui, page: &Page<'_>, bezier: &Bezier, patches: usize, o
         let label = ui.label(RichText::new("Patch").strong());
         let mut patch = page.player.controls.patch;
         let last = patches.saturating_sub(1);
-        let spin = ui.add(number_box(&mut patch).speed(0.1).range(0..=last)).labelled_by(label.id);
+        let spin = ui
+            .add(number_box(ui, &mut patch, Measure::Number).speed(0.1).range(0..=last))
+            .labelled_by(label.id);
         if spin.on_hover_text("The patch that the construction is drawn on").changed() {
             out.push(Request::Play(Setting::Patch(patch.min(last))));
         }
@@ -195,8 +198,10 @@ fn control_point_boxes(
     let width = ((ui.available_width() - 16.0) / 3.0).clamp(44.0, 80.0);
     ui.spacing_mut().item_spacing.x = 4.0;
     for (axis, value) in ["x", "y", "z"].into_iter().zip([&mut shown.x, &mut shown.y, &mut shown.z]) {
-        let drag =
-            number_box(value).speed(speed).range(f64::from(f32::MIN)..=f64::from(f32::MAX)).max_decimals(4);
+        let drag = number_box(ui, value, Measure::Length)
+            .speed(speed)
+            .range(f64::from(f32::MIN)..=f64::from(f32::MAX))
+            .max_decimals(4);
         let spin = ui.add_sized(vec2(width, ui.spacing().interact_size.y), drag);
         let spin = spin.accessible_name(format!("{name} {axis}"));
         changed |= spin.changed();
@@ -247,7 +252,7 @@ fn buttons(
         Bezier::Surface(_) => {
             let mut resolution = tessellation.unwrap_or_else(|| BezierTessellate::default().resolution);
             let label = ui.label("Quads per side");
-            let spin = number_box(&mut resolution)
+            let spin = number_box(ui, &mut resolution, Measure::Number)
                 .speed(0.1)
                 .range(surface::bezier::RESOLUTION_RANGE.whole_bounds());
             if ui.add(spin).labelled_by(label.id).changed() {

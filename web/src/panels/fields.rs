@@ -8,6 +8,7 @@ use surface::Shape;
 
 use crate::lists::columns::element_name;
 use crate::session::form::{Filled, alternatives, chosen};
+use crate::units::Measure;
 use crate::widgets::color_button::color_button;
 use crate::widgets::controls::{FIELD_WIDTH, check_box, form_number, text_field};
 use crate::widgets::number_box::number_box;
@@ -116,7 +117,7 @@ fn unit(field: &Field) -> Option<Unit> {
 fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value, facts: &Facts) {
     match field.kind {
         FieldKind::Number { unit, range } => {
-            number(ui, None, value, range.bounds(), speed(unit, value, facts));
+            number(ui, None, value, range.bounds(), (measure_of(unit), speed(unit, value, facts)));
         }
         FieldKind::Integer { unit: Unit::Triangles, range } => {
             let (min, max) = range.whole_bounds().into_inner();
@@ -127,20 +128,21 @@ fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value, facts: &Fact
         FieldKind::Integer { range, .. } => integer(ui, value, range.whole_bounds(), 0.1),
         FieldKind::Elements { arity: Arity::One, .. } => integer(ui, value, 0..=i64::from(u32::MAX) - 1, 0.1),
         FieldKind::Elements { .. } | FieldKind::Objects => ids(ui, value),
-        FieldKind::Vector | FieldKind::Factors => axes(ui, label, value),
+        FieldKind::Vector => axes(ui, label, value, Measure::Length),
+        FieldKind::Factors => axes(ui, label, value, Measure::Factor),
         FieldKind::VectorPair => {
             for (at, vector) in value.as_array_mut().into_iter().flatten().enumerate() {
-                axes(ui, &format!("{label} {}", at + 1), vector);
+                axes(ui, &format!("{label} {}", at + 1), vector, Measure::Length);
             }
         }
         // Two rows: one would widen the panel.
         FieldKind::Rotation => drop(ui.vertical(|ui| {
             if let Some(axis) = value.get_mut("axis") {
-                ui.horizontal(|ui| axes(ui, &format!("{label} axis"), axis));
+                ui.horizontal(|ui| axes(ui, &format!("{label} axis"), axis, Measure::Number));
             }
             if let Some(degrees) = value.get_mut("degrees") {
                 let speed = speed(Unit::Degrees, degrees, facts);
-                number(ui, Some("Degrees"), degrees, -360.0..=360.0, speed);
+                number(ui, Some("Degrees"), degrees, -360.0..=360.0, (Measure::Angle, speed));
             }
         })),
         FieldKind::Color => color(ui, label, value),
@@ -162,6 +164,16 @@ fn edit(ui: &mut Ui, field: &Field, label: &str, value: &mut Value, facts: &Fact
     }
 }
 
+/// What a number in a unit measures.
+fn measure_of(unit: Unit) -> Measure {
+    match unit {
+        Unit::Length => Measure::Length,
+        Unit::Degrees => Measure::Angle,
+        Unit::Fraction | Unit::ShareOfTriangles => Measure::Factor,
+        Unit::Area | Unit::Count | Unit::Triangles => Measure::Number,
+    }
+}
+
 /// The change of a number per point of a drag.
 fn speed(unit: Unit, value: &Value, facts: &Facts) -> f64 {
     let by_value = (value.as_f64().unwrap_or_default().abs() * 0.01).clamp(0.001, 1e6);
@@ -179,11 +191,11 @@ fn number(
     name: Option<&str>,
     value: &mut Value,
     range: std::ops::RangeInclusive<f64>,
-    speed: f64,
+    (measure, speed): (Measure, f64),
 ) {
     let mut number = value.as_f64().unwrap_or_default();
-    let spin =
-        number_box(&mut number).speed(speed).range(range).clamp_existing_to_range(false).max_decimals(6);
+    let spin = number_box(ui, &mut number, measure).speed(speed).range(range);
+    let spin = spin.clamp_existing_to_range(false).max_decimals(6);
     let mut spin = form_number(ui, spin);
     if let Some(name) = name {
         spin = spin.accessible_name(name);
@@ -195,7 +207,8 @@ fn number(
 
 fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<i64>, speed: f64) {
     let mut number = value.as_i64().unwrap_or_default();
-    let spin = number_box(&mut number).speed(speed).range(range).clamp_existing_to_range(false);
+    let spin = number_box(ui, &mut number, Measure::Number).speed(speed).range(range);
+    let spin = spin.clamp_existing_to_range(false);
     if form_number(ui, spin).changed() {
         *value = number.into();
     }
@@ -204,13 +217,13 @@ fn integer(ui: &mut Ui, value: &mut Value, range: std::ops::RangeInclusive<i64>,
 /// The decimals that three boxes in a row have room for.
 const MAX_AXIS_DECIMALS: usize = 4;
 
-fn axes(ui: &mut Ui, label: &str, value: &mut Value) {
+fn axes(ui: &mut Ui, label: &str, value: &mut Value, measure: Measure) {
     // A single number stands for all three.
     let at = |i: usize| value.get(i).unwrap_or(&*value).as_f64().unwrap_or_default();
     let mut numbers = [at(0), at(1), at(2)];
     let mut changed = false;
     for (axis, number) in ["x", "y", "z"].iter().zip(&mut numbers) {
-        let drag = number_box(number).speed(0.01).max_decimals(MAX_AXIS_DECIMALS);
+        let drag = number_box(ui, number, measure).speed(0.01).max_decimals(MAX_AXIS_DECIMALS);
         changed |= ui
             .add_sized([54.0, ui.spacing().interact_size.y], drag)
             .accessible_name(format!("{label} {axis}"))
@@ -284,7 +297,8 @@ fn shape_rows(ui: &mut Ui, field: &Field, filled: &mut Filled) {
     for size in shape.fields() {
         let label = ui.label(sentence_case(size.name));
         let mut value = filled.get(size.name).and_then(Value::as_f64).unwrap_or(size.default);
-        let drag = number_box(&mut value).range(size.min..=size.max);
+        let measure = if size.whole { Measure::Number } else { Measure::Length };
+        let drag = number_box(ui, &mut value, measure).range(size.min..=size.max);
         let drag = if size.whole {
             drag.speed(0.1).max_decimals(0)
         } else {

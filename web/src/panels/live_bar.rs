@@ -6,11 +6,12 @@ use egui::{Align2, Area, Context, Frame, Id, Order, Pos2, Rect, RichText, Ui, po
 
 use crate::input::actions::Action;
 use crate::input::keys;
-use crate::live::edit::Live;
+use crate::live::edit::{Live, measure_of};
 use crate::live::lock::AXIS_NAMES;
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::session::live::keeps_cut;
+use crate::units::Measure;
 use crate::widgets::number_box::number_box;
 
 /// The width of a viewport that has room for a hint.
@@ -47,7 +48,7 @@ pub(crate) fn show(ctx: &Context, page: &Page<'_>, out: &mut Requests) {
                     out.push(Request::EndLive { commit: false });
                 }
             });
-            match &live.refused {
+            match live.typed.refusal().or_else(|| live.refused.clone()) {
                 Some(reason) => ui.colored_label(ui.visuals().warn_fg_color, reason),
                 // In a narrow viewport the bar would hide what is edited.
                 None if page.view.area.width() < MIN_WIDTH_FOR_HINT_POINTS => return,
@@ -133,7 +134,11 @@ fn amounts(ui: &mut Ui, live: &Live, speed: f64, out: &mut Requests) {
             continue;
         }
         let accessible = if several { format!("{label} {name}") } else { label.clone() };
-        let field = number_box(number).speed(speed).max_decimals(5).prefix(prefix).suffix(suffix);
+        let field = number_box(ui, number, measure_of(live.drag))
+            .speed(speed)
+            .max_decimals(5)
+            .prefix(prefix)
+            .suffix(suffix);
         ui.add(field).on_hover_text("Drag, or type a number").accessible_name(accessible);
     }
     if value != before {
@@ -148,7 +153,9 @@ fn count(ui: &mut Ui, live: &Live, out: &mut Requests) {
     let label = field.label();
     ui.label(&label);
     let bounds = range.bounds();
-    let field = number_box(&mut count).range(*bounds.start() as u32..=*bounds.end() as u32).speed(0.1);
+    let field = number_box(ui, &mut count, Measure::Number)
+        .range(*bounds.start() as u32..=*bounds.end() as u32)
+        .speed(0.1);
     let response = ui.add(field).accessible_name(label);
     if response.on_hover_text("Drag, type a number, or turn the wheel over the viewport").changed() {
         out.push(Request::SetLiveCount(count));

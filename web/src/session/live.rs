@@ -18,6 +18,7 @@ use crate::live::slide::Track;
 use crate::session::Session;
 use crate::transforming::{Pivot, Settings, SnapTo, Symmetry};
 use crate::view::View;
+use crate::widgets::number_box::length_unit;
 use viewport::Aim;
 
 /// The radius around the pointer in which elements snap, in points.
@@ -46,7 +47,7 @@ impl Session {
         if start.ring.is_none() {
             self.place = Some(place);
         }
-        self.live = Live::new(start, place, [anchor, cursor], track, view);
+        self.live = Live::new(start, place, [anchor, cursor], track, (view, length_unit(&self.ctx)));
         let selection = self.editor.selection();
         if self.live_settings.pivot == Pivot::Individual
             && let Some(live) = self.live.as_mut().filter(|live| live.id == OpId::Transform)

@@ -45,6 +45,7 @@ mod soak;
 mod split;
 mod textures;
 mod toasts;
+mod units;
 mod viewport;
 mod views;
 mod welcome;

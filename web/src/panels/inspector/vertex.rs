@@ -4,6 +4,7 @@ use super::table::{fact, facts, links, pointer};
 use crate::page_view::Page;
 use crate::request::{Request, Requests};
 use crate::theme;
+use crate::units::Measure;
 use crate::widgets::number_box::number_box;
 use editor::ops::{SetVertexPosition, VertexRef};
 use egui::{RichText, Ui, vec2};
@@ -67,7 +68,7 @@ fn position_boxes(ui: &mut Ui, page: &Page<'_>, id: u32, position: Vec3, out: &m
         for ((axis, value), color) in ["x", "y", "z"].into_iter().zip(&mut moved).zip(colors) {
             ui.spacing_mut().item_spacing.x = 4.0;
             ui.label(RichText::new(axis).strong().color(color));
-            let drag = number_box(value)
+            let drag = number_box(ui, value, Measure::Length)
                 .speed(speed)
                 .range(f64::from(f32::MIN)..=f64::from(f32::MAX))
                 .max_decimals(6);
