@@ -14,6 +14,28 @@ use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_config
 
 wasm_bindgen_test_configure!(run_in_browser);
 
+/// eframe takes a pen for a mouse.
+#[wasm_bindgen_test]
+fn the_page_knows_a_pen_from_a_mouse() {
+    let device = DeviceInfo { renderer: String::new(), adapter: String::new() };
+    let browser = Browser::new(&egui::Context::default(), device);
+    let point = js_sys::Function::new_with_args(
+        "event, type",
+        "document.body.dispatchEvent(new PointerEvent(event, {pointerType: type, bubbles: true}))",
+    );
+    assert!(!browser.has_pen());
+    for (event, kind, has_pen) in [
+        ("pointermove", "pen", true),
+        ("pointerdown", "pen", true),
+        ("pointermove", "mouse", false),
+        ("pointerdown", "pen", true),
+        ("pointerdown", "touch", false),
+    ] {
+        point.call2(&JsValue::NULL, &event.into(), &kind.into()).expect("an event");
+        assert_eq!(browser.has_pen(), has_pen, "{event} of a {kind}");
+    }
+}
+
 /// Ids and counts are `u32` and sizes in bytes fit a page: the memory model that the mesh counts on.
 #[wasm_bindgen_test]
 fn the_page_has_32_bit_memory() {

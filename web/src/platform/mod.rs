@@ -222,6 +222,11 @@ pub trait Platform {
     /// Whether the user has asked the system for less motion; may change at any time.
     fn reduces_motion(&self) -> bool;
 
+    /// Whether the user points with a pen; may change at any time.
+    fn has_pen(&self) -> bool {
+        false
+    }
+
     /// Draws on another device from here on, with another egui.
     fn draw_on(&mut self, ctx: &egui::Context, device: DeviceInfo);
 

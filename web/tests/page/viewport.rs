@@ -59,6 +59,21 @@ fn a_click_selects_the_visible_element_and_the_list_shows_it() {
 }
 
 #[test]
+fn a_pen_need_not_be_as_exact_as_a_mouse_and_more_than_a_finger() {
+    let mut page = Page::new();
+    let corners: Vec<[f32; 3]> = page.mesh().positions().iter().map(|at| at.to_array()).collect();
+    let places: Vec<Pos2> = corners.into_iter().map(|at| page.at(at)).collect();
+    let lowest = places.iter().copied().max_by(|a, b| a.y.total_cmp(&b.y)).expect("a cube has vertices");
+    let mut is_hit = |has_pen: bool, away: f32| {
+        page.outside.point_with_pen(has_pen);
+        click_at(&mut page, lowest + vec2(0.0, away), Modifiers::NONE);
+        !page.selected().1.is_empty()
+    };
+    assert!(is_hit(false, 6.0) && !is_hit(false, 11.0), "a mouse");
+    assert!(is_hit(true, 11.0) && !is_hit(true, 17.0), "a pen");
+}
+
+#[test]
 fn the_element_under_the_pointer_is_named() {
     let mut page = Page::new();
     let (v, at) = nearest_vertex(&mut page);

@@ -13,7 +13,7 @@ use super::control_points;
 use super::fly;
 use super::gizmo;
 use super::navigate;
-use super::pointer::{arrow_keys, gesture_of, is_double, is_finger, modifiers_of_button};
+use super::pointer::{arrow_keys, gesture_of, is_double, is_finger, modifiers_of_button, pick_radius};
 use super::ring_cut;
 use super::slide;
 use crate::bezier::ControlPoint;
@@ -25,11 +25,6 @@ use crate::live::place::mean_of_element;
 use crate::panels::live_bar;
 use crate::request::{Request, Requests};
 use crate::view::{Gesture, Tool};
-
-/// The radius around a mouse's pointer in which a vertex or an edge is picked, in points.
-const MOUSE_RADIUS_POINTS: f32 = 8.0;
-/// The radius around a finger, half of a touch target: the nearest element in it is meant.
-const FINGER_RADIUS_POINTS: f32 = 22.0;
 
 /// A way to find the element at a pixel.
 type Pick = fn(&Mesh, &FaceTree, &Camera, Vec2, Vec2, Aim) -> Option<Picked>;
@@ -44,7 +39,7 @@ impl Viewport<'_> {
         }
         let touches = ui.input(|input| input.multi_touch());
         let pointer = response.interact_pointer_pos();
-        self.view.pick_radius = if is_finger(ui) { FINGER_RADIUS_POINTS } else { MOUSE_RADIUS_POINTS };
+        self.view.pick_radius = pick_radius(ui, self.session.platform.has_pen());
         if let Some(touch) = touches.filter(|_| response.dragged() || response.contains_pointer()) {
             // A second finger ends whatever one finger had begun.
             self.end_gesture(None, out);

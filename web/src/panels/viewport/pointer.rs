@@ -9,6 +9,13 @@ use crate::view::{Gesture, View, widget_id};
 /// How far an arrow key turns or moves the view: as far as a drag of this many pixels.
 const ARROW_KEY_PIXELS: f32 = 40.0;
 
+/// The radius around a mouse's pointer in which a vertex or an edge is picked, in points.
+const MOUSE_RADIUS_POINTS: f32 = 8.0;
+/// The radius around the tip of a pen, which is held less still than a mouse.
+const PEN_RADIUS_POINTS: f32 = 13.0;
+/// The radius around a finger, half of a touch target: the nearest element in it is meant.
+const FINGER_RADIUS_POINTS: f32 = 22.0;
+
 /// The zoom of one notch of a wheel.
 pub(crate) const ZOOM_PER_NOTCH: f64 = 1.12;
 /// The most notches that count of one event: some wheels and browsers report many at once.
@@ -76,6 +83,15 @@ pub(super) fn gesture_of(action: Option<MouseAction>, from: Pos2) -> Gesture {
         Some(MouseAction::Box) => Gesture::Box { from },
         Some(MouseAction::Lasso(_)) => Gesture::Lasso { points: vec![from], secondary: true },
         _ => Gesture::Ended,
+    }
+}
+
+/// How far from an element a click on it may be, in points. Some browsers report a pen as a finger too.
+pub(super) fn pick_radius(ui: &Ui, has_pen: bool) -> f32 {
+    match has_pen {
+        true => PEN_RADIUS_POINTS,
+        false if is_finger(ui) => FINGER_RADIUS_POINTS,
+        false => MOUSE_RADIUS_POINTS,
     }
 }
 

@@ -9,9 +9,13 @@ mod handles;
 mod inbox;
 mod jobs;
 mod offline;
+mod pointer;
 mod store;
 mod wait;
 mod worker;
+
+use std::cell::Cell;
+use std::rc::Rc;
 
 use super::store::{Id, Request};
 use super::{DeviceInfo, Download, Event, NamedBytes, PlacedFile, Platform, Source};
@@ -37,6 +41,8 @@ pub struct Browser {
     device: DeviceInfo,
     /// The user's wish for less motion, which the browser keeps up to date.
     less_motion: Option<web_sys::MediaQueryList>,
+    /// Whether the user points with a pen, which the browser keeps up to date too.
+    has_pen: Rc<Cell<bool>>,
 }
 
 impl Browser {
@@ -57,6 +63,7 @@ impl Browser {
             inbox,
             device,
             less_motion,
+            has_pen: pointer::listen_for_pen(),
         }
     }
 }
@@ -193,6 +200,10 @@ impl Platform for Browser {
 
     fn reduces_motion(&self) -> bool {
         self.less_motion.as_ref().is_some_and(web_sys::MediaQueryList::matches)
+    }
+
+    fn has_pen(&self) -> bool {
+        self.has_pen.get()
     }
 
     fn draw_on(&mut self, ctx: &egui::Context, device: DeviceInfo) {

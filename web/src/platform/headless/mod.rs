@@ -209,6 +209,10 @@ impl Platform for Headless {
         self.outside.inner.borrow().reduces_motion
     }
 
+    fn has_pen(&self) -> bool {
+        self.outside.inner.borrow().has_pen
+    }
+
     fn draw_on(&mut self, _ctx: &egui::Context, _device: DeviceInfo) {}
 
     fn device(&self) -> DeviceInfo {

@@ -27,6 +27,7 @@ pub(super) struct Inner {
     pub(super) wanted: Vec<String>,
     pub(super) fragment: String,
     pub(super) reduces_motion: bool,
+    pub(super) has_pen: bool,
     pub(super) fetches: Vec<(u64, Vec<String>)>,
     pub(super) disk: MemoryDisk,
     /// The settings of each tab.
@@ -67,6 +68,11 @@ impl Outside {
             inner.sources.len() as Source - 1
         };
         self.push(Event::FilesOf(source, files));
+    }
+
+    /// Makes the pointer a pen, or no pen.
+    pub fn point_with_pen(&self, has_pen: bool) {
+        self.inner.borrow_mut().has_pen = has_pen;
     }
 
     /// The files written where they were opened so far.
