@@ -13,7 +13,7 @@ use super::{CANCELLED, Session, ViewTarget, saving, selecting, sharing};
 use crate::bezier;
 use crate::input::actions::Action;
 use crate::platform::{Fetched, NamedBytes};
-use halfedge::words::{sentence, thousands};
+use halfedge::words::{counted, sentence};
 
 impl Session {
     /// Creates the document that the page starts with.
@@ -223,10 +223,13 @@ impl Session {
     fn say_opened(&mut self, outcome: &editor::Outcome, notes: &[String]) {
         let mut text = outcome.message.clone();
         let missing = self.editor.document().materials().missing_images();
-        match outcome.warnings.len() {
-            0 => {}
-            1 => text.push_str("; the import changed one thing"),
-            many => text.push_str(&format!("; the import changed {} things", thousands(many))),
+        match outcome.warnings.as_slice() {
+            [] => {}
+            [only] => text = format!("{} {}", sentence(&text), sentence(only)),
+            [first, rest @ ..] => {
+                let rest = counted(rest.len(), "more change", "more changes");
+                text = format!("{} {} The import made {rest}.", sentence(&text), sentence(first));
+            }
         }
         if let Some(first) = notes.first() {
             text = format!("{} {first}", sentence(&text));
@@ -239,7 +242,9 @@ impl Session {
         }
         let is_clean = outcome.warnings.is_empty() && notes.is_empty() && missing.is_empty();
         let kind = if is_clean { MessageKind::Info } else { MessageKind::Warning };
-        let details = outcome.warnings.iter().chain(notes.iter().skip(1)).cloned().collect();
+        // What the text says already is not repeated.
+        let warnings = if outcome.warnings.len() > 1 { outcome.warnings.as_slice() } else { &[] };
+        let details = warnings.iter().chain(notes.iter().skip(1)).cloned().collect();
         self.toast(kind, text, details);
         if self.editor.document().active().is_some_and(editor::Object::is_repairable) {
             self.toasts.offer(Remedy::Act(Action::Operation(OpId::RepairImport)));
