@@ -29,6 +29,7 @@ use crate::embedding;
 use crate::fonts;
 use crate::input::actions::Action;
 use crate::input::brush_key::HeldTab;
+use crate::input::held_keys::HeldKeys;
 use crate::input::shortcut::Shortcut;
 use crate::keeping::Keeper;
 use crate::page_view::Page;
@@ -64,8 +65,8 @@ pub struct App {
     fingers: bool,
     /// Whether the user wants less motion.
     less_motion: bool,
-    /// Keys that were pressed after one that opened a text field, for the field in the next frame.
-    held_events: Vec<Input>,
+    /// Keys that were pressed after one that opened a text field, for the field in a later frame.
+    held_keys: HeldKeys,
     /// Whether the document that the page starts with has not been followed yet.
     starting: bool,
     /// The title of the page.
@@ -103,7 +104,7 @@ impl App {
             layout,
             fingers: false,
             less_motion: false,
-            held_events: Vec::new(),
+            held_keys: HeldKeys::default(),
             starting: true,
             title: String::new(),
         };
@@ -201,8 +202,7 @@ impl App {
         if let Some(next) = self.session.toasts.expire(now) {
             ctx.request_repaint_after_secs(next.max(0.05) as f32);
         }
-        let held = std::mem::take(&mut self.held_events);
-        ctx.input_mut(|input| drop(input.events.splice(0..0, held)));
+        self.held_keys.pace(ctx);
         self.panels.key_editor.take_key(ctx, self.shown.shortcuts);
         if self.session.live.is_none() {
             self.view.follow_pointer(ctx);
@@ -322,10 +322,7 @@ impl App {
         }
         let (actions, held) =
             reader.take(ctx, |action| !live || key_settings::works_during_live_edit(action));
-        if !held.is_empty() {
-            self.held_events = held;
-            ctx.request_repaint();
-        }
+        self.held_keys.hold(ctx, held);
         actions
     }
 

@@ -3,10 +3,11 @@
 
 use std::sync::Arc;
 
-use egui::{Context, Event, Id, InputState, Key, Modifiers};
+use egui::{Context, Event, FocusDirection, Id, InputState, Key, Modifiers};
 
 use crate::input::actions::{self, Action};
 use crate::input::availability::follows_pointer;
+use crate::input::held_keys::is_typed;
 use crate::input::key_map::{KeyMap, When};
 use crate::input::shortcut::Shortcut;
 use crate::lists::row_list;
@@ -145,14 +146,16 @@ impl KeyReader {
     /// removed and returned, for the next frame.
     pub fn take(&self, ctx: &Context, counts: impl Fn(Action) -> bool) -> (Vec<Action>, Vec<Event>) {
         let (mut actions, mut later) = (Vec::new(), Vec::new());
+        let mut takes_tab = false;
         ctx.input_mut(|input| {
             input.events.retain(|event| {
                 if actions.last().copied().is_some_and(takes_keys) {
-                    let is_typed = matches!(event, Event::Key { .. } | Event::Text(_) | Event::Ime(_));
-                    later.extend(is_typed.then(|| event.clone()));
-                    return !is_typed;
+                    later.extend(is_typed(event).then(|| event.clone()));
+                    return !is_typed(event);
                 }
-                let action = Shortcut::of_event(event).and_then(|shortcut| self.action_of(shortcut));
+                let shortcut = Shortcut::of_event(event);
+                let action = shortcut.and_then(|shortcut| self.action_of(shortcut));
+                takes_tab |= action.is_some() && shortcut.is_some_and(|shortcut| shortcut.key == Key::Tab);
                 // A switch whose key is held goes on and off once.
                 let is_repeated = matches!(event, Event::Key { repeat: true, .. }) && action == Some(A::Soft);
                 let counts = |action: &Action| !is_repeated && !acts_while_held(*action) && counts(*action);
@@ -160,6 +163,10 @@ impl KeyReader {
                 action.is_none()
             });
         });
+        if takes_tab {
+            // egui has read the event too, before the page.
+            ctx.memory_mut(|memory| memory.move_focus(FocusDirection::None));
+        }
         (actions, later)
     }
 }

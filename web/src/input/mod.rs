@@ -5,6 +5,7 @@ pub mod actions;
 pub(crate) mod availability;
 pub(crate) mod brush_key;
 pub mod camera_style;
+pub(crate) mod held_keys;
 pub mod key_map;
 pub mod key_preset;
 pub mod key_reference;

@@ -4,7 +4,7 @@ use super::action::{Action as A, Entry, entry};
 use crate::transforming::{CursorAction, Gizmo, Orientation, Pivot, SnapTo, Symmetry};
 
 /// Other names for symmetry.
-const MIRROR: &[&str] = &["mirror editing"];
+const MIRROR: &[&str] = &["mirror", "mirror editing"];
 
 /// Other names for the 3D cursor.
 const CURSOR: &[&str] = &["3d cursor", "snap", "pivot point"];
@@ -139,7 +139,9 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         "View axes",
         "Move, rotate and scale along the axes of the view.",
     )),
-    Some(entry(A::Mirror(Symmetry::None), "No symmetry", "Edit the selection only.").synonyms(MIRROR)),
+    Some(
+        entry(A::Mirror(Symmetry::None), "No symmetry", "Edit the selection only.").synonyms(&["mirror off"]),
+    ),
     Some(
         entry(A::Mirror(Symmetry::X), "Symmetry along x", "Mirror edits across the plane x = 0.")
             .synonyms(MIRROR),

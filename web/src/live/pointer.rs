@@ -7,7 +7,9 @@ use super::lock::Lock;
 
 /// A pointer that begins nearer to the middle than this gives no useful ratio of distances, in points.
 const MIN_RADIUS_POINTS: f32 = 24.0;
-/// From there, this many points to the right or up double the size.
+/// One that begins nearer than this is in the middle, which tells no direction from another. From there, this many points
+/// to the right or up double the size.
+const MIN_DIRECTED_RADIUS_POINTS: f32 = 10.0;
 const DOUBLING_TRAVEL_POINTS: f32 = 120.0;
 /// A direction that the picture shows shorter than this part of its length points at the viewer.
 const MIN_VISIBLE_PART: f32 = 0.2;
@@ -119,12 +121,15 @@ impl Sight<'_> {
 
     /// The factor when the pointer goes away from the middle or towards it.
     pub fn factor(&self, from: Vec2, to: Vec2) -> f32 {
-        let (a, b) = ((from - self.middle()).length(), (to - self.middle()).length());
-        if a < MIN_RADIUS_POINTS {
-            let by = to - from;
-            return ((by.x - by.y) / DOUBLING_TRAVEL_POINTS).exp2();
+        let (start, by) = (from - self.middle(), to - from);
+        let radius = start.length();
+        if radius < MIN_DIRECTED_RADIUS_POINTS {
+            ((by.x - by.y) / DOUBLING_TRAVEL_POINTS).exp2()
+        } else if radius < MIN_RADIUS_POINTS {
+            (1.0 + by.dot(start / radius) / MIN_RADIUS_POINTS).max(0.0)
+        } else {
+            (start + by).length() / radius
         }
-        b / a
     }
 
     /// The fraction of an edge for a movement along it.

@@ -125,7 +125,7 @@ struct Found {
 }
 
 /// The actions whose names, or names in other programs, contain all typed words: first the one of exactly that
-/// name, then those that begin with the typed text; among equals those that can be done now, then those that were
+/// name, then those that begin with the typed text or are called so elsewhere; among equals those that can be done now, then those that were
 /// chosen lately.
 fn find(typed: &str, recent: &[Action], why_not: impl Fn(Action) -> Option<String>) -> Vec<Found> {
     let typed = typed.trim().to_lowercase();
@@ -153,11 +153,10 @@ pub(crate) fn rank(entry: &Entry, typed: &str) -> Option<usize> {
     let has_all = |text: &str| typed.split_whitespace().all(|word| text.contains(word));
     Some(match () {
         () if label.trim_end_matches('…') == typed || name == typed => 0,
-        () if label.starts_with(typed) => 1,
+        () if label.starts_with(typed) || entry.synonyms.contains(&typed) => 1,
         () if label.split(' ').any(|word| word.starts_with(typed)) => 2,
-        () if entry.synonyms.contains(&typed) => 3,
-        () if has_all(&format!("{label} {name}")) => 4,
-        () if entry.synonyms.iter().any(|synonym| has_all(synonym)) => 5,
+        () if has_all(&format!("{label} {name}")) => 3,
+        () if entry.synonyms.iter().any(|synonym| has_all(synonym)) => 4,
         () => return None,
     })
 }

@@ -10,7 +10,7 @@ use halfedge::{EdgeId, Mesh, VertexId};
 use serde_json::json;
 
 /// Chooses an entry of the Transform menu.
-fn choose(page: &mut Page, submenu: &str, entry: &str) {
+pub fn choose(page: &mut Page, submenu: &str, entry: &str) {
     page.click("Transform");
     page.click(submenu);
     page.harness.get_by_label_contains(entry).click();
@@ -18,7 +18,7 @@ fn choose(page: &mut Page, submenu: &str, entry: &str) {
 }
 
 /// The mean position of some vertices.
-fn mean(mesh: &Mesh, ids: &[u32]) -> Vec3 {
+pub fn mean(mesh: &Mesh, ids: &[u32]) -> Vec3 {
     ids.iter().map(|v| mesh.position(VertexId::new(*v as usize))).sum::<Vec3>() / ids.len() as f32
 }
 
@@ -38,7 +38,7 @@ fn slanted() -> (Page, Vec<u32>, Vec3) {
 }
 
 /// The directions to the right and up in the picture, as the page projects.
-fn picture_axes(page: &mut Page) -> [Vec3; 2] {
+pub fn picture_axes(page: &mut Page) -> [Vec3; 2] {
     let view = page.app().script().state()["view"].clone();
     let number = |name: &str| view[name].as_f64().expect("a number") as f32;
     let (yaw, pitch) = (number("yaw"), number("pitch"));

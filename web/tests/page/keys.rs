@@ -11,20 +11,39 @@ use halfedge::{Element, VertexId};
 use meshwright_web::input::shortcut::{NUMBER_PAD, Shortcut};
 use serde_json::{Value, json};
 
-fn shortcut(text: &str) -> Shortcut {
+pub fn shortcut(text: &str) -> Shortcut {
     Shortcut::parse(text).unwrap_or_else(|| panic!("{text} is no key"))
 }
 
 /// Presses a key such as `Ctrl+Numpad1`.
 fn press(page: &mut Page, text: &str) {
-    let Shortcut { ctrl, alt, shift, pad, key } = shortcut(text);
+    strike(page, shortcut(text), "");
+    page.run();
+}
+
+/// Presses a key that types its character too, as a keyboard's does; draws no frame.
+pub fn strike_typing(page: &mut Page, shortcut: Shortcut) {
+    let Shortcut { ctrl, alt, shift, key, .. } = shortcut;
+    let symbol = match key {
+        Key::Space => " ",
+        Key::Minus => "-",
+        key => key.symbol_or_name(),
+    };
+    let is_typed = !ctrl && !alt && symbol.len() == 1;
+    let text = if shift { symbol.to_uppercase() } else { symbol.to_lowercase() };
+    strike(page, shortcut, if is_typed { &text } else { "" });
+}
+
+/// Presses a key and lets it go; `text` is what it types.
+fn strike(page: &mut Page, Shortcut { ctrl, alt, shift, pad, key }: Shortcut, text: &str) {
     let modifiers = Modifiers { alt, ctrl, shift, mac_cmd: false, command: ctrl };
     let physical_key = pad.then_some(NUMBER_PAD);
-    for pressed in [true, false] {
-        page.harness
-            .event_modifiers(Event::Key { key, physical_key, pressed, repeat: false, modifiers }, modifiers);
+    let event = |pressed| Event::Key { key, physical_key, pressed, repeat: false, modifiers };
+    page.harness.event_modifiers(event(true), modifiers);
+    if !text.is_empty() {
+        page.harness.event_modifiers(Event::Text(text.to_owned()), modifiers);
     }
-    page.run();
+    page.harness.event_modifiers(event(false), modifiers);
 }
 
 fn with_keys(preset: &str) -> Page {

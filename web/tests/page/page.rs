@@ -103,7 +103,12 @@ impl Page {
 
     /// A visit to the page in a browser that may have kept something from earlier ones.
     pub fn visit(outside: &Outside) -> Self {
-        Self::build_in(outside.clone(), DESKTOP, egui::Theme::Dark, false, &[])
+        Self::visit_sized(outside, DESKTOP)
+    }
+
+    /// The same in a window of another size.
+    pub fn visit_sized(outside: &Outside, size: Vec2) -> Self {
+        Self::build_in(outside.clone(), size, egui::Theme::Dark, false, &[])
     }
 
     /// The same with the settings as they are.
@@ -150,6 +155,17 @@ impl Page {
 
     fn build_with(outside: Outside, size: Vec2, theme: egui::Theme, drawn: bool) -> Self {
         let mut page = Self::make(outside, size, theme, drawn);
+        page.run();
+        page
+    }
+
+    /// A page on a screen with this many pixels per point.
+    pub fn dense(size: Vec2, pixels_per_point: f32) -> Self {
+        let outside = Outside::default();
+        outside.set_setting("welcome", "off");
+        let mut page = Self::make(outside, size, egui::Theme::Dark, false);
+        let viewports = page.harness.input_mut().viewports.values_mut();
+        viewports.for_each(|viewport| viewport.native_pixels_per_point = Some(pixels_per_point));
         page.run();
         page
     }
