@@ -377,6 +377,62 @@ fn edges_of_one_face_are_split_together() {
     assert_symmetric(mesh, 0, "all edges");
 }
 
+/// How many vertices, edges and faces an edit of the strip with symmetry adds.
+fn added(fields: Value) -> [isize; 3] {
+    let mut editor = symmetric("quads", 0);
+    let count = |editor: &Editor| {
+        let mesh = editor.mesh().expect("a mesh");
+        [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()].map(|count| count as isize)
+    };
+    let before = count(&editor);
+    let what = fields.to_string();
+    let mut fields = fields;
+    fields["symmetry"] = "x".into();
+    run(&mut editor, fields);
+    validate(&editor);
+    assert_symmetric(editor.mesh().expect("a mesh"), 0, &what);
+    let after = count(&editor);
+    [0, 1, 2].map(|at| after[at] - before[at])
+}
+
+#[test]
+fn what_is_dissolved_is_dissolved_on_both_sides_and_once_in_the_plane() {
+    // The strip has seven vertices in a row, of which 3, 10, 17 and 24 are in the plane.
+    let dissolve = |vertex: u32| added(json!({"op": "dissolve-vertex", "vertices": [vertex]}));
+    assert_eq!(dissolve(8), [-2, -8, -6], "beside the plane: its image too");
+    assert_eq!(dissolve(12), [-2, -8, -6], "from the other side");
+    assert_eq!(dissolve(10), [-1, -4, -3], "in the plane: once");
+    let dissolve = |edges: Value| added(json!({"op": "dissolve-edge", "edges": edges}));
+    assert_eq!(dissolve(json!([[8, 9]])), [0, -2, -2], "its image too");
+    assert_eq!(dissolve(json!([[9, 10]])), [0, -2, -2], "two that meet in the plane");
+    assert_eq!(dissolve(json!([[10, 17]])), [0, -1, -1], "in the plane: once");
+    // The faces of four columns become one across the plane, by one edge in it and one beside it.
+    assert_eq!(dissolve(json!([[10, 17], [9, 16]])), [0, -3, -3]);
+    assert_eq!(
+        dissolve(json!([[10, 17], [9, 16], [11, 18]])),
+        [0, -3, -3],
+        "images that are chosen count once"
+    );
+}
+
+#[test]
+fn edges_are_split_on_both_sides_and_once_in_the_plane() {
+    let split =
+        |edge: [u32; 2], t: f32| added(json!({"op": "split-edge", "edge": edge, "t": t, "connect": "none"}));
+    assert_eq!(split([8, 9], 0.25), [2, 2, 0], "its image too");
+    assert_eq!(split([9, 10], 0.25), [2, 2, 0], "two that meet in the plane");
+    assert_eq!(split([10, 17], 0.25), [1, 1, 0], "in the plane: once");
+    // An edge across the plane is its own image: in the middle it gets one vertex, elsewhere one on each side.
+    for (t, vertices) in [(0.5, 1), (0.25, 2)] {
+        let mut quad = polygon(&[[1.0, 0.0], [2.0, 1.0]], None, None);
+        let across = json!({"op": "split-edge", "edge": [0, 3], "t": t, "connect": "none", "symmetry": "x"});
+        run(&mut quad, across);
+        let mesh = quad.mesh().expect("a mesh");
+        assert_eq!(mesh.vertex_count(), 4 + vertices, "at {t}");
+        assert_symmetric(mesh, 0, "a quad");
+    }
+}
+
 #[test]
 fn what_has_no_symmetric_result_is_refused_in_words() {
     // Of two edges of one triangle, the one that is flipped first leaves no triangle for the other.
