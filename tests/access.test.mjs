@@ -46,8 +46,26 @@ editorTest("axe finds nothing wrong in any state", { renderers: ["webgl2"], size
   await editor.press("F1");
   await audit(editor, "in the list of keys");
   await editor.press("Escape");
+  await editor.choose("Share");
+  await editor.find("Link", "textInput");
+  await audit(editor, "with the window that shares");
+  await editor.press("Escape");
+  await editor.select("face", [2]);
+  await editor.press("e");
+  await editor.find("Apply", "button");
+  await audit(editor, "in an edit that follows the pointer");
+  await editor.press("1");
+  await editor.press("Enter");
+  if (!(await editor.ui()).some(({ name }) => name === "Steps")) await editor.choose("History");
+  await editor.find("Steps", "listBox");
+  await audit(editor, "with the list of steps");
   await editor.drop({ name: "broken.obj", content: "v 0 0\n" });
   await audit(editor, "with an error");
+});
+
+editorTest("axe finds nothing wrong in the welcome view", { renderers: ["webgl2"], sizes: [SMALL, PHONE], welcome: true }, async (editor) => {
+  await editor.find("Close welcome", "button");
+  await audit(editor, "in the welcome view");
 });
 
 editorTest("axe finds nothing wrong on a phone", { renderers: ["webgl2"], sizes: [PHONE] }, async (editor) => {

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 
 import { DESKTOP, PHONE, SMALL, editorTest } from "./harness.mjs";
 import { grid } from "./support/meshes.mjs";
+import { contrast } from "./support/colors.mjs";
 
 const sizes = [SMALL];
 
@@ -41,11 +42,25 @@ editorTest("a transform that a key started takes typed numbers", { sizes }, asyn
   assert.deepEqual(after, before.map(([x, y, z]) => [x + 0.25, y, z]));
 });
 
-editorTest("Separate says what to choose", { renderers: ["webgl2"], sizes: [DESKTOP] }, async (editor) => {
+editorTest("Separate says what to choose, and separates it", { sizes: [DESKTOP] }, async (editor) => {
   await editor.click("Mesh", "button");
   const separate = await editor.find(/^Separate/, "button");
   assert.equal(separate.disabled, true);
   assert.match(separate.description, /select/i);
+  await editor.press("Escape");
+  // Its key, and Enter in the palette, say the same and do nothing.
+  await editor.press("Shift+P");
+  assert.deepEqual(await refusals(editor), [separate.description]);
+  await editor.choose("Separate");
+  assert.ok(await editor.find("Find a command", "textInput"), "another command can be chosen");
+  await editor.press("Escape");
+  assert.deepEqual(await undoable(editor), []);
+
+  await editor.select("face", [0]);
+  await editor.press("Shift+P");
+  await editor.click("Separate", "button");
+  await editor.until("there are two objects", async () => (await editor.state()).document.objects.length === 2);
+  assert.deepEqual((await editor.state()).document.objects.map(({ faces }) => faces).sort(), [1, 5]);
 });
 
 editorTest("Fill hole works from an edge on the boundary, by menu, palette and panel", { sizes }, async (editor) => {
@@ -74,7 +89,7 @@ editorTest("Fill hole works from an edge on the boundary, by menu, palette and p
   assert.equal((await editor.state()).document.faces, faces + 1, "by its key");
 });
 
-editorTest("the save dialog keeps the name it was given", { renderers: ["webgl2"], sizes }, async (editor) => {
+editorTest("the save dialog keeps the name it was given", { sizes }, async (editor) => {
   await editor.press("Control+s");
   const { rect: [x, y, width, height] } = await editor.find("File name", "textInput");
   await editor.clickAt([x + width / 2, y + height / 2]);
@@ -125,4 +140,49 @@ editorTest("menu rows on a phone are high enough for a finger", { sizes: [PHONE]
   for (const { name, rect } of rows.filter(({ rect }) => rect[1] + rect[3] < bottom)) {
     assert.ok(rect[3] >= 43.5, `${name} is ${rect[3]} high`);
   }
+});
+
+/** The pixels of a control that stand out from white as marks must. */
+async function marked(editor, name, role) {
+  const { rect } = await editor.find(name, role);
+  const picture = await editor.screenshot(name);
+  return { picture, rect, count: picture.count((color) => contrast(color, [255, 255, 255]) >= 3, rect) };
+}
+
+editorTest("a white swatch is outlined on a white page", { sizes: [DESKTOP] }, async (editor) => {
+  await editor.choose("Light theme");
+  await editor.run({ op: "set-face-color", faces: [0], color: "#ffffff" });
+  await editor.select("face", [0]);
+  await editor.frames(3);
+  const well = await marked(editor, "Face colour", "colorWell");
+  const [x, y, width, height] = well.rect;
+  assert.deepEqual(well.picture.at(x + width / 2, y + height / 2), [255, 255, 255], "the colour itself");
+  const around = 2 * (width + height);
+  assert.ok(well.count > 0.7 * around, `${well.count} of ${around} pixels around the button`);
+
+  await editor.click("Face colour", "colorWell");
+  await editor.page.mouse.move(5, 400);
+  await editor.frames(3);
+  const swatch = await marked(editor, "#ffffff", "button");
+  const edge = 2 * (swatch.rect[2] + swatch.rect[3]);
+  assert.ok(swatch.count > 0.7 * edge, `${swatch.count} of ${edge} pixels around the swatch`);
+});
+
+editorTest("what is told of a curve names no patch", { sizes: [DESKTOP] }, async (editor) => {
+  await editor.drop({ name: "arc.bzc", content: "4\n0 0  1 2  3 2  4 0\n" });
+  await editor.until("the curve is open", async () => (await editor.state()).document.name === "arc");
+  await editor.frames(3);
+  const leaks = async (when) => {
+    const texts = (await editor.ui()).flatMap(({ name, value, description }) => [name, String(value ?? ""), description ?? ""]);
+    assert.deepEqual(texts.filter((text) => /\bpatch: |for a curve|\bnone\b/i.test(text)), [], when);
+  };
+  await leaks("at first");
+  const from = await editor.project([1, 2, 0]);
+  await editor.drag(from, [from[0] - 30, from[1] + 40]);
+  assert.equal((await undoable(editor)).length, 2);
+  await leaks("after a point was moved, which can be adjusted");
+  await editor.choose("Add control point");
+  await leaks("after a point was added");
+  await editor.choose("Delete control point");
+  await leaks("after a point was deleted");
 });

@@ -19,7 +19,16 @@ async function along(editor, axis, points) {
   return [x + (toX - x) / length * points, y + (toY - y) / length * points];
 }
 
-editorTest("the arrows, rings and boxes of the gizmo move, rotate and scale", { sizes: [SMALL] }, async (editor) => {
+/** The length in mesh units of the gizmo's arrows at the cube's middle, which are 84 points long. */
+async function arrowLength(editor) {
+  const { yaw } = (await editor.state()).view;
+  const [[x, y], [rightX, rightY]] = await Promise.all(
+    [[0, 0, 0], [0.1 * Math.cos(yaw), 0, -0.1 * Math.sin(yaw)]].map((point) => editor.project(point)),
+  );
+  return 8.4 / Math.hypot(rightX - x, rightY - y);
+}
+
+editorTest("the arrows, squares, rings and boxes of the gizmo move, rotate and scale", { sizes: [SMALL] }, async (editor) => {
   const start = await positions(editor);
   await editor.select("face", [0, 1, 2, 3, 4, 5]);
 
@@ -38,8 +47,28 @@ editorTest("the arrows, rings and boxes of the gizmo move, rotate and scale", { 
     assert.deepEqual(await positions(editor), start);
   }
 
-  await editor.click(/^Tool: Rotate/, "button");
   const [x, y] = await editor.project([0, 0, 0]);
+  const arrow = await arrowLength(editor);
+  const onGizmo = (offset) => editor.project(offset.map((part) => part * arrow));
+  // The square across y moves in its plane.
+  await editor.drag(await onGizmo([0.42, 0, 0.42]), await onGizmo([1.1, 0, 0.1]));
+  const moved = middle(await positions(editor));
+  assert.ok(moved[0] > 0.2 && moved[1] === 0 && moved[2] < -0.1, `in the plane of the square: ${moved}`);
+  await editor.press("Control+z");
+  assert.deepEqual(await positions(editor), start);
+
+  await editor.click(/^Tool: Rotate/, "button");
+  // The ring about y, from a place in front to another.
+  const { yaw } = (await editor.state()).view;
+  const onRing = (angle) => onGizmo([0.9 * Math.sin(yaw + angle), 0, 0.9 * Math.cos(yaw + angle)]);
+  await editor.drag(await onRing(-0.3), await onRing(0.4));
+  const about = await positions(editor);
+  assert.notDeepEqual(about, start);
+  for (const [at, p] of about.entries()) {
+    assert.ok(Math.abs(p[1] - start[at][1]) < 1e-6, `about y: ${p}`);
+    assert.ok(Math.abs(Math.hypot(p[0], p[2]) - Math.SQRT2) < 1e-4, `as far from the axis as before: ${p}`);
+  }
+  await editor.press("Control+z");
   const ring = 84 * 1.15;
   await editor.drag([x + ring, y], [x, y + ring]);
   const turned = await positions(editor);
