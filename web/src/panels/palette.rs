@@ -125,7 +125,7 @@ struct Found {
 }
 
 /// The actions whose names, or names in other programs, contain all typed words: first the one of exactly that
-/// name, then those that begin with the typed text or are called so elsewhere; among equals those that can be done now, then those that were
+/// name, then those that begin with the typed text, if they can be done, then those called so elsewhere; among equals those that can be done now, then those that were
 /// chosen lately.
 fn find(typed: &str, recent: &[Action], why_not: impl Fn(Action) -> Option<String>) -> Vec<Found> {
     let typed = typed.trim().to_lowercase();
@@ -133,6 +133,8 @@ fn find(typed: &str, recent: &[Action], why_not: impl Fn(Action) -> Option<Strin
         .filter_map(|entry| {
             let rank = if typed.is_empty() { 0 } else { rank(&entry, &typed)? };
             let why_not = why_not(entry.action);
+            // Part of a name counts less than another program's name for what can be done.
+            let rank = if why_not.is_some() && rank > 0 { rank.max(SYNONYM_RANK) } else { rank };
             let age = recent.iter().position(|action| *action == entry.action).unwrap_or(usize::MAX);
             // What was typed is more of a shorter label.
             let words = if typed.is_empty() { 0 } else { entry.label.split(' ').count() };
@@ -142,6 +144,9 @@ fn find(typed: &str, recent: &[Action], why_not: impl Fn(Action) -> Option<Strin
     found.sort_by_key(|(order, _)| *order);
     found.into_iter().map(|(_, found)| found).collect()
 }
+
+/// The rank of an action that another program calls so.
+const SYNONYM_RANK: usize = 3;
 
 /// How well an action fits the typed text, in lower case, from 0; none if it doesn't.
 pub(crate) fn rank(entry: &Entry, typed: &str) -> Option<usize> {
@@ -153,10 +158,11 @@ pub(crate) fn rank(entry: &Entry, typed: &str) -> Option<usize> {
     let has_all = |text: &str| typed.split_whitespace().all(|word| text.contains(word));
     Some(match () {
         () if label.trim_end_matches('…') == typed || name == typed => 0,
-        () if label.starts_with(typed) || entry.synonyms.contains(&typed) => 1,
+        () if label.starts_with(typed) => 1,
         () if label.split(' ').any(|word| word.starts_with(typed)) => 2,
-        () if has_all(&format!("{label} {name}")) => 3,
-        () if entry.synonyms.iter().any(|synonym| has_all(synonym)) => 4,
+        () if entry.synonyms.contains(&typed) => SYNONYM_RANK,
+        () if has_all(&format!("{label} {name}")) => 4,
+        () if entry.synonyms.iter().any(|synonym| has_all(synonym)) => 5,
         () => return None,
     })
 }

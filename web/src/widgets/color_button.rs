@@ -47,7 +47,7 @@ pub fn color_button(ui: &mut Ui, name: &str, rgb: &mut [u8; 3]) -> (Response, bo
 
 /// The outline of a colour, which shows it on a background of the same colour too.
 pub fn swatch_outline(visuals: &Visuals) -> Stroke {
-    Stroke::new(1.0, visuals.text_color().gamma_multiply(0.35))
+    Stroke::new(1.0, visuals.text_color().gamma_multiply(0.6))
 }
 
 fn swatches(ui: &mut Ui, rgb: &mut [u8; 3]) {
