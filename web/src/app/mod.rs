@@ -191,7 +191,7 @@ impl App {
                         self.welcome();
                     }
                 }
-                Event::Fragment(fragment) => _ = sharing::open(&mut self.session, &fragment),
+                Event::Fragment(fragment) => sharing::open(&mut self.session, &fragment),
             }
         }
         self.shown.is_opening = self.keeper.is_opening();
