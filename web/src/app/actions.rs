@@ -65,9 +65,9 @@ impl App {
         }
         match action {
             Action::New => self.session.new_document(form::first_shape()),
-            Action::ElementMenu(kind) => {
+            Action::ElementMenu(_) | Action::LookMenu | Action::CursorMenu => {
                 let at = self.session.ctx.input(|input| input.pointer.latest_pos());
-                self.panels.element_menu.open(kind, at.unwrap_or(self.view.area.center()));
+                self.panels.pointer_menu.open(action, at.unwrap_or(self.view.area.center()));
             }
             Action::Open => self.session.platform.open_file_dialog(),
             Action::Save => self.save(),
@@ -75,6 +75,11 @@ impl App {
             Action::Undo => self.session.undo(),
             Action::Redo => self.session.redo(),
             Action::History => self.shown.toggle_history(),
+            Action::Adjust => {
+                self.panels.forms.adjust_last();
+                self.shown.right = true;
+                self.shown.sheet.show_operations();
+            }
             Action::Cancel => self.cancel(),
             Action::SelectAll => {
                 self.panels.end_edits(&mut self.session);

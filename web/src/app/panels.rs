@@ -1,8 +1,8 @@
 //! The state and the layout of the panels.
 
 use crate::panels::{
-    about, documents, drop_overlay, element_menu, elements, hidden_bar, history, inspector, messages,
-    named_selections, objects, operations, palette, save, share, shortcuts, toasts, welcome,
+    about, documents, drop_overlay, elements, hidden_bar, history, inspector, messages, named_selections,
+    objects, operations, palette, pointer_menu, save, share, shortcuts, toasts, welcome,
 };
 use egui::{Context, ScrollArea, Ui};
 
@@ -32,7 +32,7 @@ pub(crate) struct Panels {
     pub documents: documents::Documents,
     pub key_editor: shortcuts::KeyEditor,
     pub welcome: welcome::Welcome,
-    pub element_menu: element_menu::ElementMenu,
+    pub pointer_menu: pointer_menu::PointerMenu,
 }
 
 impl Panels {
@@ -50,7 +50,7 @@ impl Panels {
             documents: Default::default(),
             key_editor: Default::default(),
             welcome: welcome::Welcome::new(platform),
-            element_menu: Default::default(),
+            pointer_menu: Default::default(),
         }
     }
 
@@ -118,7 +118,7 @@ impl Panels {
         hidden_bar::show(ctx, page, out);
         named_selections::show(ctx, page, &mut self.naming, out);
         welcome::show(ctx, page, &mut self.welcome, &mut self.documents, out);
-        element_menu::show(ctx, page, &mut self.element_menu, out);
+        pointer_menu::show(ctx, page, &mut self.pointer_menu, out);
         palette::show(ctx, page, &mut self.palette, out);
         save::show(ctx, page, &mut self.saving, narrow, out);
         shortcuts::show(ctx, page, &mut self.key_editor, out);

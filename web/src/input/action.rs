@@ -23,6 +23,12 @@ pub enum Action {
     New,
     /// Opens a menu of the edits of a kind of element, at the pointer.
     ElementMenu(Element),
+    /// Opens a menu of the looks at the pointer.
+    LookMenu,
+    /// Opens a menu of what the 3D cursor is for, at the pointer.
+    CursorMenu,
+    /// Goes to the fields of the last operation.
+    Adjust,
     /// Opens the file dialog.
     Open,
     /// Opens the save dialog.

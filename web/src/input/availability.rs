@@ -7,7 +7,7 @@ use halfedge::Element;
 use crate::bezier::{self, Player};
 use crate::input::actions::Action;
 use crate::lists::columns::plural;
-use crate::session::Session;
+use crate::session::{Session, form};
 use crate::transforming::CursorAction;
 use crate::view::textures;
 use viewport::Look;
@@ -24,6 +24,9 @@ pub(crate) fn why_not(action: Action, session: &Session, kind: Element, player: 
         }
         Action::Redo if editor.next_redo().is_none() => {
             Some("There is nothing to redo: nothing was undone since the last edit.".into())
+        }
+        Action::Adjust if form::adjustable(editor).is_none() => {
+            Some("There is no operation whose fields could be changed.".into())
         }
         Action::Save | Action::SaveAs(_) if document.objects().is_empty() => {
             Some("There is nothing to save. Open a file or make a shape first.".into())

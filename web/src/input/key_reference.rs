@@ -27,7 +27,7 @@ and C do in Maya.
 While flying (View > Zoom and fly), W, A, S, D or the arrow keys move the eye, E and Q move it up and down, Shift makes it faster, \
 the wheel sets the speed, and the pointer turns it. Enter or a click stays there; Escape or a right-click goes back.
 
-Ctrl+R, Ctrl+B, Ctrl+D, Ctrl+H, Ctrl+E, Ctrl+F and Ctrl+V are the browser's own while a list, a field or a button has \
+Ctrl+R, Ctrl+B, Ctrl+D, Ctrl+H, Ctrl+E and Ctrl+F are the browser's own while a list, a field or a button has \
 the focus.
 ";
 

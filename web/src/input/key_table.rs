@@ -21,6 +21,8 @@ pub(super) static ROWS: &[Row] = &[
     (A::Save,                              ["Ctrl+S",                    "Ctrl+S",                   "Ctrl+S"]),
     (A::Undo,                              ["Ctrl+Z",                    "Ctrl+Z",                   "Ctrl+Z Z"]),
     (A::Redo,                              ["Ctrl+Shift+Z Ctrl+Y",       "Ctrl+Shift+Z Ctrl+Y",      "Ctrl+Shift+Z Ctrl+Y Shift+Z"]),
+    // Maya's F9 selects vertices.
+    (A::Adjust,                            ["F9",                        "F9",                       ""]),
     (A::Cancel,                            ["Escape",                    "Escape",                   "Escape"]),
     (A::Palette,                           ["Ctrl+K F3",                 "Ctrl+K F3 Space",          "Ctrl+K F3 Space"]),
     (A::Shortcuts,                         ["? F1",                      "? F1",                     "? F1"]),
@@ -69,9 +71,12 @@ pub(super) static ROWS: &[Row] = &[
     (A::SnapTo(SnapTo::Grid),              ["",                          "",                         "X"]),
     (A::SnapTo(SnapTo::Edge),              ["",                          "",                         "C"]),
     (A::SnapTo(SnapTo::Vertex),            ["",                          "",                         "V"]),
-    (A::ElementMenu(Element::Vertex),      ["",                          "Ctrl+V",                   ""]),
+    // All presets paste with Ctrl+V, which is Blender's key for the edits of vertices.
+    (A::ElementMenu(Element::Vertex),      ["",                          "Ctrl+Alt+V",               ""]),
     (A::ElementMenu(Element::Edge),        ["",                          "Ctrl+E",                   ""]),
     (A::ElementMenu(Element::Face),        ["",                          "Ctrl+F",                   ""]),
+
+    (A::CursorMenu,                        ["",                          "Shift+S",                  ""]),
 
     (A::Operation(OpId::ExtrudeFaces),     ["E",                         "E",                        "Ctrl+E"]),
     (A::Operation(OpId::InsetFaces),       ["Shift+I",                   "I",                        "Shift+I"]),
@@ -120,7 +125,8 @@ pub(super) static ROWS: &[Row] = &[
     (A::AlignView,                         ["Shift+Numpad7",             "Shift+Numpad7",            "Shift+Numpad7"]),
     (A::Fly,                               ["Shift+`",                   "Shift+`",                  "Shift+`"]),
     (A::Orthographic,                      ["P Alt+5 Numpad5",           "Numpad5 Alt+5",            "Numpad5"]),
-    (A::Wireframe,                         ["W",                         "Z Shift+Z",                "Alt+5"]),
+    (A::LookMenu,                          ["Z",                         "Z",                        ""]),
+    (A::Wireframe,                         ["W",                         "Shift+Z",                  "Alt+5"]),
     (A::XRay,                              ["Alt+X",                     "Alt+Z",                    "Alt+X"]),
     (A::Smooth,                            ["M",                         "",                         ""]),
     (A::Look(Look::HiddenLine),            ["",                          "",                         "4"]),

@@ -172,9 +172,9 @@ impl KeyReader {
 }
 
 /// Whether the browser uses a key for something that users expect everywhere but in the viewport: reload, bookmarks, history,
-/// search, pasting.
+/// search.
 fn is_of_browser(shortcut: Shortcut) -> bool {
-    let keys = [Key::R, Key::B, Key::D, Key::H, Key::E, Key::F, Key::V];
+    let keys = [Key::R, Key::B, Key::D, Key::H, Key::E, Key::F];
     shortcut.ctrl && !shortcut.alt && !shortcut.shift && keys.contains(&shortcut.key)
 }
 

@@ -108,6 +108,8 @@ pub fn submenu(action: Action) -> Option<&'static str> {
         A::Resample | A::LongerEdges | A::ShorterEdges => Some(REMESH),
         A::Show(_) => Some("Show"),
         A::ElementMenu(_) => Some("Menus at the pointer"),
+        A::LookMenu => Some("Look"),
+        A::CursorMenu => Some("Cursor"),
         A::Expand(_) => Some("Expand to"),
         A::Look(_) | A::HideBacks => Some("Look"),
         A::AutoSmooth(_) => Some("Auto smooth"),
@@ -197,6 +199,10 @@ pub static MENUS: &[Menu] = &[
             Some(
                 entry(A::History, "History", "List the steps by name; click one to go to it.")
                     .synonyms(&["undo history", "steps", "go back"]),
+            ),
+            Some(
+                entry(A::Adjust, "Adjust last operation", "Go to the fields of the last operation.")
+                    .synonyms(&["redo panel", "operator panel", "change"]),
             ),
             None,
             Some(entry(

@@ -124,6 +124,10 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         entry(A::Cursor(CursorAction::Show), "Show 3D cursor", "Show or hide the 3D cursor.")
             .synonyms(CURSOR),
     ),
+    Some(
+        entry(A::CursorMenu, "Cursor menu", "Open a menu of what the 3D cursor is for, at the pointer.")
+            .synonyms(&["snap menu", "3d cursor"]),
+    ),
     Some(entry(
         A::Orient(Orientation::Global),
         "Global axes",

@@ -1,9 +1,9 @@
 //! "Adjust last operation": the fields of the last operation. A change runs the operation again with the
 //! new fields, still as one undo step.
 
-use editor::ops::{Field, FieldKind, Fill, Symmetry};
-use editor::{Command, Facts, MAX_ELEMENTS_AT_ONCE, OpId, Scope};
-use egui::{CollapsingHeader, Grid, RichText, Ui, vec2};
+use editor::ops::Field;
+use editor::{Command, Facts, MAX_ELEMENTS_AT_ONCE, Scope};
+use egui::{CollapsingHeader, FocusDirection, Grid, RichText, Ui, vec2};
 
 use crate::page_view::Page;
 use crate::panels::fields;
@@ -15,37 +15,32 @@ use crate::session::form;
 pub(crate) struct Adjusting {
     /// The command to run when the pointer's button is released.
     pending: Option<Command>,
+    /// Where the keyboard focus goes next.
+    focus: Option<Focus>,
+}
+
+/// A step on the way of the keyboard focus to the first field.
+#[derive(Clone, Copy)]
+enum Focus {
+    Header,
+    Field,
+}
+
+impl Adjusting {
+    /// Moves the keyboard focus to the first field.
+    pub fn take_focus(&mut self) {
+        self.focus = Some(Focus::Header);
+    }
 }
 
 /// Shows the panel, unless the last operation has no fields to change.
 pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut Requests) {
-    let Some(command) = page.editor.last_command() else {
-        own.pending = None;
+    let Some(command) = form::adjustable(&page.editor) else {
+        (own.pending, own.focus) = (None, None);
         return;
     };
     let spec = command.op.spec();
-    // Which document a new shape is in was decided when it was made.
-    let is_place = |field: &Field| command.op.id() == OpId::New && field.name == "add";
-    let is_mirrored = command.symmetry != Symmetry::None;
-    let is_shown = |field: &Field| {
-        !field.is_target()
-            && !matches!(field.fill, Fill::Optional(_))
-            && !is_place(field)
-            && (is_mirrored || !field.is_symmetry())
-    };
-    // The inspector has these fields, and must not move away while they change.
-    let in_inspector = matches!(command.op.id(), OpId::SetFaceColor | OpId::SetVertexPosition);
-    let has_text = spec.fields.iter().any(|field| field.kind == FieldKind::Text);
-    // The cube that the page opens with is no step.
-    let is_start = command.op.id() == OpId::New && page.editor.undo_labels().next().is_none();
-    if is_start
-        || has_text
-        || spec.scope == Scope::Document
-        || in_inspector
-        || !spec.fields.iter().any(is_shown)
-    {
-        return;
-    }
+    let is_shown = |field: &Field| form::is_adjustable(command, field);
     let before = own.pending.clone().unwrap_or_else(|| command.clone());
     let (id, object) = (before.op.id(), before.object);
     let mut filled = before.fields();
@@ -55,13 +50,27 @@ pub(crate) fn show(ui: &mut Ui, page: &Page<'_>, own: &mut Adjusting, out: &mut 
         _ => page.facts(id),
     };
     let start = filled.clone();
+    if matches!(own.focus, Some(Focus::Field)) {
+        // From the header, which has it, to the first field.
+        ui.memory_mut(|memory| memory.move_focus(FocusDirection::Next));
+    }
     // A header doesn't wrap: with the operation's name in it, it would widen the panel.
-    CollapsingHeader::new("Adjust last operation").id_salt("adjust").default_open(true).show(ui, |ui| {
+    let header = CollapsingHeader::new("Adjust last operation").id_salt("adjust").default_open(true);
+    let header = header.open(own.focus.map(|_| true)).show(ui, |ui| {
         ui.label(RichText::new(before.op.label()).strong());
         Grid::new(("adjust", spec.name)).num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
             fields::rows(ui, spec, &mut filled, &facts, is_shown);
         });
     });
+    own.focus = match own.focus {
+        Some(Focus::Header) => {
+            header.header_response.request_focus();
+            header.header_response.scroll_to_me(None);
+            ui.ctx().request_repaint();
+            Some(Focus::Field)
+        }
+        Some(Focus::Field) | None => None,
+    };
     ui.separator();
     if filled != start {
         match form::command(id, &filled) {

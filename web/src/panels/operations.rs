@@ -58,6 +58,12 @@ impl Forms {
         self.chosen.take().is_some()
     }
 
+    /// Moves the keyboard focus to the fields of the last operation.
+    pub fn adjust_last(&mut self) {
+        self.close();
+        self.adjusting.take_focus();
+    }
+
     /// The state of the list of operations.
     pub fn list(&mut self) -> &mut ListState {
         &mut self.list

@@ -1,7 +1,7 @@
 //! The values in an operation's form, and the command made from them.
 
-use editor::ops::{Facts, Field, Fill};
-use editor::{Command, CommandError, OpId, Spec};
+use editor::ops::{Facts, Field, FieldKind, Fill, Symmetry};
+use editor::{Command, CommandError, Editor, OpId, Scope, Spec};
 use serde_json::{Map, Value};
 
 /// The values that the user filled in, by the fields' names. The command omits fields that are not in it.
@@ -41,6 +41,29 @@ pub fn shape(name: &str) -> Result<Command, CommandError> {
 pub fn needs_measures(spec: &Spec) -> bool {
     use editor::ops::Suggestion::{MeanEdge, OfDiagonal, RemeshedEdge};
     spec.fields.iter().any(|field| matches!(field.suggestion, MeanEdge | RemeshedEdge | OfDiagonal(_)))
+}
+
+/// The last command, if it has fields that can be changed afterwards.
+pub fn adjustable(editor: &Editor) -> Option<&Command> {
+    let command = editor.last_command()?;
+    let (id, spec) = (command.op.id(), command.op.spec());
+    // The inspector has these fields, and must not move away while they change.
+    let in_inspector = matches!(id, OpId::SetFaceColor | OpId::SetVertexPosition);
+    let has_text = spec.fields.iter().any(|field| field.kind == FieldKind::Text);
+    // The cube that the page opens with is no step.
+    let is_start = id == OpId::New && editor.undo_labels().next().is_none();
+    let is_left_out = is_start || has_text || spec.scope == Scope::Document || in_inspector;
+    (!is_left_out && spec.fields.iter().any(|field| is_adjustable(command, field))).then_some(command)
+}
+
+/// Whether a field of a command can be changed afterwards.
+pub fn is_adjustable(command: &Command, field: &Field) -> bool {
+    // Which document a new shape is in was decided when it was made.
+    let is_place = command.op.id() == OpId::New && field.name == "add";
+    !field.is_target()
+        && !matches!(field.fill, Fill::Optional(_))
+        && !is_place
+        && (command.symmetry != Symmetry::None || !field.is_symmetry())
 }
 
 /// The alternative that is filled in, of those with this title.

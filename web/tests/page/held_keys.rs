@@ -160,16 +160,18 @@ fn with_ctrl(page: &mut Page, key: Key) {
 #[test]
 fn in_the_keys_of_blender_menus_of_elements_open_at_the_pointer() {
     let count = |page: &Page, label: &str| page.harness.query_all_by_label_contains(label).count();
-    for (key, kind, entry) in [
-        (Key::V, "vertex", "Bevel vertices"),
-        (Key::E, "edge", "Bevel edges"),
-        (Key::F, "face", "Poke faces"),
+    let ctrl = Modifiers::COMMAND;
+    for (modifiers, key, kind, entry) in [
+        // Ctrl+V pastes.
+        (ctrl | Modifiers::ALT, Key::V, "vertex", "Bevel vertices"),
+        (ctrl, Key::E, "edge", "Bevel edges"),
+        (ctrl, Key::F, "face", "Poke faces"),
     ] {
         let mut page = with_keys("blender");
         page.select(kind, &[0]);
         page.hover_off_middle(vec2(30.0, -20.0));
         let before = count(&page, entry);
-        with_ctrl(&mut page, key);
+        page.press_with(modifiers, key);
         assert_eq!(count(&page, entry), before + 1, "{kind}");
         crate::looks::picture(&mut page, &format!("{kind} menu"));
         page.press(Key::Escape);

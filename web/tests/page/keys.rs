@@ -503,16 +503,16 @@ fn settings_that_cannot_be_read_are_reported() {
 #[test]
 fn keys_of_the_browser_are_taken_in_the_viewport_only() {
     let mut page = with_keys("blender");
-    for text in ["Ctrl+R", "Ctrl+B", "Ctrl+Z", "Ctrl+V", "Ctrl+F", "F3", "Space"] {
+    for text in ["Ctrl+R", "Ctrl+B", "Ctrl+Z", "Ctrl+Alt+V", "Ctrl+F", "F3", "Space"] {
         assert!(page.app().takes_key(shortcut(text)), "{text}");
     }
-    for text in ["Ctrl+D", "Ctrl+H", "F5", "Ctrl+W", "U"] {
+    for text in ["Ctrl+D", "Ctrl+H", "Ctrl+V", "F5", "Ctrl+W", "U"] {
         assert!(!page.app().takes_key(shortcut(text)), "{text} means nothing here");
     }
     page.row("Vertex 2").click();
     page.run();
     assert!(!page.app().takes_key(shortcut("Ctrl+R")), "a list has the focus");
-    assert!(!page.app().takes_key(shortcut("Ctrl+V")), "pasting is the browser's");
+    assert!(!page.app().takes_key(shortcut("Ctrl+F")), "finding is the browser's");
     assert!(page.app().takes_key(shortcut("Ctrl+J")));
     press(&mut page, "Ctrl+K");
     page.run();
@@ -525,6 +525,59 @@ fn keys_of_the_browser_are_taken_in_the_viewport_only() {
     assert!(page.app().takes_key(shortcut("F5")), "the window waits for any key");
     let mut page = Page::new();
     assert!(!page.app().takes_key(shortcut("Ctrl+R")), "not a key of the courses");
+}
+
+#[test]
+fn every_preset_pastes_with_ctrl_v() {
+    for preset in ["course", "blender", "maya"] {
+        let mut page = with_keys(preset);
+        page.harness.event(Event::Paste("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_owned()));
+        press(&mut page, "Ctrl+V");
+        assert_eq!(page.mesh().face_count(), 1, "{preset}");
+        assert!(!page.has_part("Merge vertices…"), "{preset}: no menu");
+    }
+    let mut page = with_keys("blender");
+    page.select("vertex", &[0]);
+    press(&mut page, "Ctrl+Alt+V");
+    assert!(page.harness.query_by_role_and_label(Role::Menu, "Vertex menu").is_some());
+}
+
+#[test]
+fn f9_goes_to_the_fields_of_the_last_operation() {
+    for preset in ["course", "blender"] {
+        let mut page = with_keys(preset);
+        press(&mut page, "F9");
+        assert!(page.has_part("There is no operation whose fields could be changed"), "{preset}");
+        page.select("face", &[0]);
+        page.command(json!({"op": "extrude-faces", "distance": 0.5}));
+        press(&mut page, "F9");
+        press(&mut page, "Ctrl+A");
+        page.type_text("2");
+        press(&mut page, "Enter");
+        let far = page.mesh().positions().iter().map(|p| p.abs().max_element()).fold(0.0, f32::max);
+        assert_eq!(far, 3.0, "{preset}: the distance is the first field");
+        assert_eq!(page.undo_labels().len(), 1, "{preset}: still one step");
+    }
+}
+
+#[test]
+fn menus_of_looks_and_of_the_cursor_open_at_the_pointer() {
+    for preset in ["course", "blender"] {
+        let mut page = with_keys(preset);
+        page.hover_off_middle(vec2(0.0, 0.0));
+        press(&mut page, "Z");
+        let middle = page.find("Viewport").rect().center();
+        let entry = page.find("Normals as colours").rect();
+        assert!((entry.left() - middle.x).abs() < 40.0, "{preset}: {entry} is at the pointer");
+        page.click("Normals as colours");
+        assert_eq!(view(&mut page, "look"), "normals", "{preset}");
+    }
+    let mut page = with_keys("blender");
+    press(&mut page, "Shift+Z");
+    assert_eq!(view(&mut page, "wireframe"), false);
+    press(&mut page, "Shift+S");
+    page.click("Cursor to origin");
+    assert_eq!(view(&mut page, "cursor"), json!([0.0, 0.0, 0.0]));
 }
 
 #[test]
