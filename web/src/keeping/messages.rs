@@ -20,9 +20,9 @@ pub(super) const IS_COPY: &str = "This document is open in another tab or window
 pub(super) const NOT_OPENED_NOW: &str = "The document was not opened because you changed this one in the meantime. \
                                          Open it again from File > Recent documents.";
 
-/// Said when the last records were not completely written.
-pub(super) const CUT_OFF: &str =
-    "The last change was not completely written before Meshwright ended, so it is missing.";
+/// Said when the document before the last one is opened.
+pub(super) const NOT_ON_DISK: &str =
+    "The last document was not completely written before Meshwright ended, so this is the one before it.";
 
 /// Said after a document was deleted from the list.
 pub(super) fn deleted(name: &str) -> String {
@@ -73,6 +73,17 @@ pub(super) fn not_kept(failure: &Failure) -> String {
         _ => "Save the document to a file before you close Meshwright.",
     };
     format!("Changes are not kept: {failure}. {advice}")
+}
+
+/// Said when the last changes were not completely written.
+pub(super) fn not_written(missing: usize) -> String {
+    let (changes, were, they_are) = match missing {
+        1 => ("change".to_owned(), "was", "it is"),
+        _ => (format!("{missing} changes"), "were", "they are"),
+    };
+    format!(
+        "The last {changes} {were} not completely written before Meshwright ended, so {they_are} missing."
+    )
 }
 
 /// The end of a recovery that could not repeat everything.

@@ -35,6 +35,9 @@ const DOCUMENT_SETTING: &str = "document";
 /// The setting with this tab's document as long as nothing was done in it: another tab may sweep it while this one is closed.
 const UNTOUCHED_SETTING: &str = "untouched";
 
+/// The setting with the document that the next visit opens if the one above never came to the disk.
+const BEFORE_SETTING: &str = "document-before";
+
 /// How the document is kept.
 #[derive(Default)]
 pub(crate) struct Keeper {
@@ -44,6 +47,8 @@ pub(crate) struct Keeper {
     kept: Option<Kept>,
     /// The documents that the history goes back to.
     ids: HashMap<Origin, Id>,
+    /// The last document that was shown and is on the disk.
+    on_disk: Option<Id>,
     /// Why nothing is kept.
     failure: Option<Failure>,
     /// When to try again after a failure, on the platform's clock in seconds.
@@ -152,6 +157,10 @@ impl Keeper {
         if is_touched {
             session.platform.store_setting(DOCUMENT_SETTING, &id);
         }
+        if writing.is_checked {
+            self.on_disk = Some(id.clone());
+        }
+        set_before(session, self.on_disk.as_ref().filter(|before| **before != id));
         session.documents.shown = Some(id.clone());
         self.ids.insert(origin, id.clone());
         let first_revision = session.editor.revision();
@@ -181,6 +190,14 @@ impl Keeper {
             }
             Answer::NotOpened { opening, why } => {
                 let untouched = session.platform.load_tab_setting(UNTOUCHED_SETTING);
+                if self.opening_of(&opening).is_none() {
+                    return false;
+                }
+                let is_start = self.kept.is_none();
+                let is_gone = matches!(why, WhyNot::Missing | WhyNot::Damaged);
+                if is_start && is_gone && self.open_before(session) {
+                    return false;
+                }
                 let Some(opening) = self.opening_of(&opening) else { return false };
                 let is_no_loss = why == WhyNot::Missing && untouched.is_some_and(|id| opening.is_of(&id));
                 let said = (!is_no_loss).then(|| messages::not_opened(&why));
@@ -204,6 +221,18 @@ impl Keeper {
         false
     }
 
+    /// Opens the document before the one that was asked for, which never came to the disk; false if there is none.
+    fn open_before(&mut self, session: &mut Session) -> bool {
+        let setting = session.platform.load_tab_setting(BEFORE_SETTING);
+        let setting = setting.or_else(|| session.platform.load_setting(BEFORE_SETTING));
+        let Some(before) = setting.filter(|id| !id.is_empty()) else { return false };
+        set_before(session, None);
+        session.warn(messages::NOT_ON_DISK.to_owned(), Vec::new());
+        let copy = session.platform.new_id();
+        self.opening = Some(Opening::begin(session, before, copy, false));
+        true
+    }
+
     /// The document that is being opened, if these are answers to that request: one that was given up may be answered yet.
     fn opening_of(&mut self, copy: &str) -> Option<&mut Opening> {
         self.opening.as_mut().filter(|opening| opening.is_named(copy))
@@ -218,6 +247,8 @@ impl Keeper {
         if std::mem::take(&mut self.has_told) {
             session.toast(MessageKind::Info, messages::KEPT_AGAIN.to_owned(), Vec::new());
         }
+        self.on_disk = Some(id.to_owned());
+        set_before(session, None);
         if let Some(kept) = &mut self.kept {
             kept.writing.is_checked = true;
         }
@@ -339,4 +370,11 @@ impl Keeper {
         let copy = session.platform.new_id();
         self.opening = Some(Opening::begin(session, id, copy, true));
     }
+}
+
+/// Remembers which document the next visit opens if the shown one doesn't come to the disk.
+fn set_before(session: &mut Session, before: Option<&Id>) {
+    let before = before.map_or("", String::as_str);
+    session.platform.store_tab_setting(BEFORE_SETTING, before);
+    session.platform.store_setting(BEFORE_SETTING, before);
 }

@@ -54,6 +54,8 @@ struct Replaying {
     has_failed: bool,
     /// Why the rest could not be repeated, and how many changes are missing.
     stopped: Option<(String, usize)>,
+    /// How many changes are missing at the end, because the checkpoint that would hold them was not written.
+    unwritten: usize,
 }
 
 /// A change that a worker repeats.
@@ -142,6 +144,7 @@ impl Opening {
             waits_for: None,
             has_failed: false,
             stopped: None,
+            unwritten: 0,
         });
         Ok(())
     }
@@ -184,11 +187,14 @@ impl Replaying {
 
     /// Leaves out the rest of the log if a change could not be repeated.
     fn stop_if(&mut self, replayed: Result<(), NotReplayed>) {
-        if let Err(error) = replayed {
-            let is_change = |entry: &&Entry| !matches!(entry.event, Event::View(_) | Event::Select { .. });
-            self.stopped = Some((error.to_string(), self.entries.iter().filter(is_change).count() + 1));
-            self.entries.clear();
+        let Err(error) = replayed else { return };
+        let is_change = |entry: &&Entry| !matches!(entry.event, Event::View(_) | Event::Select { .. });
+        let missing = self.entries.iter().filter(is_change).count() + 1;
+        match error {
+            NotReplayed::Broken => self.unwritten = missing,
+            error => self.stopped = Some((error.to_string(), missing)),
         }
+        self.entries.clear();
     }
 }
 
@@ -264,7 +270,8 @@ impl Keeper {
         replaying: Replaying,
         checkpoint_bytes: usize,
     ) {
-        let Replaying { mut editor, view: saved, opened, log_bytes, seconds, stopped, .. } = replaying;
+        let Replaying { mut editor, view: saved, opened, log_bytes, seconds, stopped, unwritten, .. } =
+            replaying;
         let Opened { id, info, is_copy, is_cut_off, .. } = opened;
         editor.end_replay();
         if let Some(name) = &info.renamed {
@@ -286,8 +293,8 @@ impl Keeper {
         } else {
             let (is_touched, listed) = (info.is_touched, (info, session.editor.revision()));
             let writing = match self.failure {
-                None => Writing::after(checkpoint_bytes, log_bytes, seconds, listed),
-                Some(_) => Writing::default(),
+                None if unwritten == 0 => Writing::after(checkpoint_bytes, log_bytes, seconds, listed),
+                _ => Writing::default(),
             };
             self.show(session, id, is_touched, writing);
         }
@@ -299,10 +306,11 @@ impl Keeper {
         if is_copy {
             session.toast(MessageKind::Info, messages::IS_COPY.to_owned(), Vec::new());
         }
+        let unwritten = unwritten.max(usize::from(is_cut_off));
         if let Some((why, missing)) = stopped {
             session.warn(messages::not_repeated(&why, missing), Vec::new());
-        } else if is_cut_off {
-            session.warn(messages::CUT_OFF.to_owned(), Vec::new());
+        } else if unwritten > 0 {
+            session.warn(messages::not_written(unwritten), Vec::new());
         }
     }
 }

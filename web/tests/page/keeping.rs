@@ -327,6 +327,47 @@ fn rename(page: &mut Page, from: &str, to: &str) {
 }
 
 #[test]
+fn when_power_fails_in_the_first_checkpoint_the_document_before_is_opened() {
+    let mut page = Page::new();
+    extrude(&mut page);
+    settle(&mut page);
+    let (outside, before) = (page.outside.clone(), page.mesh().clone());
+    outside.disk().fail_after(100, Failure::Other("no power".into()));
+    page.command(json!({ "op": "new", "shape": "torus" }));
+    drop(page);
+    outside.disk().mend();
+    let mut page = Page::visit(&outside);
+    assert_eq!((name(&mut page), page.mesh().clone()), ("Cube".to_owned(), before));
+}
+
+#[test]
+fn when_power_fails_after_an_undo_to_before_the_checkpoint_the_document_goes_on() {
+    for bytes in (0..3000).step_by(250) {
+        let mut page = Page::new();
+        extrude(&mut page);
+        settle(&mut page);
+        // The store that takes its place gets a checkpoint, which holds no history.
+        let outside = page.outside.clone();
+        outside.crash_store(1);
+        extrude(&mut page);
+        settle(&mut page);
+        let before = page.mesh().clone();
+        outside.disk().fail_after(bytes, Failure::Other("no power".into()));
+        page.press_with(Modifiers::COMMAND, Key::Z);
+        drop(page);
+        outside.disk().mend();
+        let mut page = Page::visit(&outside);
+        assert_eq!(name(&mut page), "Cube", "{bytes}");
+        if *page.mesh() == before {
+            extrude(&mut page);
+        }
+        let last = page.mesh().clone();
+        let mut page = page.reload();
+        assert_eq!((name(&mut page), page.mesh().clone()), ("Cube".to_owned(), last), "{bytes}");
+    }
+}
+
+#[test]
 fn documents_are_listed_opened_renamed_copied_deleted_and_brought_back() {
     let mut page = Page::new();
     open_list(&mut page);

@@ -4,6 +4,7 @@ use crate::page::{DESKTOP, PHONE, Page, wheel};
 use egui::{Key, Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use halfedge::{Element, VertexId};
+use serde_json::json;
 
 /// The vertex of the cube that is nearest to the eye, and where it is in the window.
 pub fn nearest_vertex(page: &mut Page) -> (u32, Pos2) {
@@ -305,4 +306,23 @@ fn the_wheel_keeps_what_is_under_the_pointer_in_place() {
     assert!((nearer.length() / at.length() - 1.12).abs() < 0.01, "{nearer:?} {at:?}");
     page.press_with(Modifiers::ALT, Key::Minus);
     assert!((page.at(corner) - middle - at).length() < 0.1);
+}
+
+#[test]
+fn a_page_without_anything_to_see_comes_to_rest_and_frames_what_appears() {
+    let mut page = Page::new();
+    page.command(json!({ "op": "set-object-visible", "object": 0, "visible": false }));
+    let frame_all = |page: &mut Page| page.press(Key::Home);
+    let distance =
+        |page: &mut Page| page.app().script().state()["view"]["distance"].as_f64().expect("a number");
+    // Each of these settles, or fails.
+    frame_all(&mut page);
+    page.outside.advance(6000.0);
+    page.run();
+    let mut page = page.reload();
+    frame_all(&mut page);
+    page.command(json!({ "op": "new", "shape": "torus" }));
+    let framed = distance(&mut page);
+    frame_all(&mut page);
+    assert!((distance(&mut page) - framed).abs() < 1e-6, "it was framed already");
 }

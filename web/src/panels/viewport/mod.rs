@@ -70,8 +70,9 @@ impl Viewport<'_> {
             ui.ctx().request_repaint();
         }
         self.view.style.theme = theme::viewport(ui.visuals());
-        // A window that leaves no room for a picture is not drawn again until it does.
-        if self.view.frame_due > 0 && rect.is_positive() {
+        // A window that leaves no room for a picture is not drawn again until it does, nor is one with nothing to frame.
+        let has_picture = rect.is_positive() && self.view.camera.scene().is_some();
+        if self.view.frame_due > 0 && has_picture {
             self.view.frame_due -= 1;
             self.view.frame_start();
             ui.ctx().request_repaint();

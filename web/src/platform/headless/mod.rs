@@ -42,6 +42,13 @@ impl Headless {
     }
 }
 
+impl Drop for Headless {
+    /// What happens for a page that has ended, nobody hears.
+    fn drop(&mut self) {
+        self.outside.inner.borrow_mut().events.clear();
+    }
+}
+
 impl Platform for Headless {
     fn poll(&mut self, _ctx: &egui::Context) -> Vec<Event> {
         std::mem::take(&mut self.outside.inner.borrow_mut().events)
