@@ -404,7 +404,11 @@ fn what_is_dissolved_is_dissolved_on_both_sides_and_once_in_the_plane() {
     assert_eq!(dissolve(10), [-1, -4, -3], "in the plane: once");
     let dissolve = |edges: Value| added(json!({"op": "dissolve-edge", "edges": edges}));
     assert_eq!(dissolve(json!([[8, 9]])), [0, -2, -2], "its image too");
-    assert_eq!(dissolve(json!([[9, 10]])), [0, -2, -2], "two that meet in the plane");
+    assert_eq!(
+        dissolve(json!([[9, 10]])),
+        [-1, -3, -2],
+        "two that meet in the plane, and the vertex between them"
+    );
     assert_eq!(dissolve(json!([[10, 17]])), [0, -1, -1], "in the plane: once");
     // The faces of four columns become one across the plane, by one edge in it and one beside it.
     assert_eq!(dissolve(json!([[10, 17], [9, 16]])), [0, -3, -3]);
@@ -422,13 +426,14 @@ fn edges_are_split_on_both_sides_and_once_in_the_plane() {
     assert_eq!(split([8, 9], 0.25), [2, 2, 0], "its image too");
     assert_eq!(split([9, 10], 0.25), [2, 2, 0], "two that meet in the plane");
     assert_eq!(split([10, 17], 0.25), [1, 1, 0], "in the plane: once");
-    // An edge across the plane is its own image: in the middle it gets one vertex, elsewhere one on each side.
-    for (t, vertices) in [(0.5, 1), (0.25, 2)] {
+    // An edge across the plane is its own image, so its vertex is in the middle, wherever it was asked for.
+    for t in [0.5, 0.25] {
         let mut quad = polygon(&[[1.0, 0.0], [2.0, 1.0]], None, None);
         let across = json!({"op": "split-edge", "edge": [0, 3], "t": t, "connect": "none", "symmetry": "x"});
         run(&mut quad, across);
         let mesh = quad.mesh().expect("a mesh");
-        assert_eq!(mesh.vertex_count(), 4 + vertices, "at {t}");
+        assert_eq!(mesh.vertex_count(), 5, "at {t}");
+        assert_eq!(mesh.position(VertexId::new(4)).x, 0.0, "at {t}");
         assert_symmetric(mesh, 0, "a quad");
     }
 }
