@@ -59,7 +59,7 @@ impl Window {
 
 impl eframe::App for Window {
     fn raw_input_hook(&mut self, ctx: &egui::Context, raw_input: &mut RawInput) {
-        if self.pacing.pace(raw_input, None) {
+        if self.pacing.pace(raw_input, None, self.app.is_opening()) {
             ctx.request_repaint();
         }
     }

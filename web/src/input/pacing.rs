@@ -1,4 +1,4 @@
-//! When input counts: not before the page has its layout, and at the time when it happened.
+//! When input counts: not before the page has its layout and its document, and at the time when it happened.
 
 use std::collections::VecDeque;
 
@@ -7,11 +7,17 @@ use egui::{Event, RawInput};
 /// Frames until the panels have their sizes; what is clicked before isn't where it will be.
 const FRAMES_UNTIL_LAYOUT: u32 = 3;
 
+/// How long input waits for the document of the last visit. A larger one leaves the rest of the page usable meanwhile.
+const MAX_WAIT_SECONDS: f64 = 2.0;
+
 /// Passes input on to egui. Frames may take longer than the time between the clicks of a double-click: a frame with a
 /// button gets the time of the button as its own.
 #[derive(Default)]
 pub struct Pacing {
+    /// The frames since the document was there.
     frames: u32,
+    /// The time of the first frame.
+    first: Option<f64>,
     /// Input that came before the layout, in the order of frames, with the time of its button.
     held: VecDeque<(Option<f64>, Vec<Event>)>,
     /// The time of the last frame.
@@ -20,11 +26,13 @@ pub struct Pacing {
 
 impl Pacing {
     /// Replaces a frame's events and time by those that count in it. `pressed` is the time at which the button among the
-    /// events was pressed or released, in seconds on the clock of `raw.time`. Returns whether there is input left for the
-    /// next frame.
-    pub fn pace(&mut self, raw: &mut RawInput, pressed: Option<f64>) -> bool {
+    /// events was pressed or released, in seconds on the clock of `raw.time`. While `is_opening`, the document is still
+    /// awaited. Returns whether there is input left for the next frame.
+    pub fn pace(&mut self, raw: &mut RawInput, pressed: Option<f64>, is_opening: bool) -> bool {
         let mut time = pressed;
-        self.frames = self.frames.saturating_add(1);
+        let now = raw.time.unwrap_or_default();
+        let waits = is_opening && now - *self.first.get_or_insert(now) < MAX_WAIT_SECONDS;
+        self.frames = if waits { 0 } else { self.frames.saturating_add(1) };
         let is_early = self.frames <= FRAMES_UNTIL_LAYOUT;
         if is_early || !self.held.is_empty() {
             let events = std::mem::take(&mut raw.events);
@@ -67,7 +75,7 @@ mod tests {
         pressed: Option<f64>,
     ) -> (Vec<Event>, f64, bool) {
         let mut raw = RawInput { time: Some(now), events: events.to_vec(), ..RawInput::default() };
-        let is_left = pacing.pace(&mut raw, pressed);
+        let is_left = pacing.pace(&mut raw, pressed, false);
         (raw.events, raw.time.expect("a time"), is_left)
     }
 
@@ -84,6 +92,34 @@ mod tests {
         assert_eq!(frame(&mut pacing, 5.0, &key, None), (click[1..].to_vec(), 3.0, true));
         assert_eq!(frame(&mut pacing, 6.0, &[], None), ([key.clone(), key].concat(), 6.0, false));
         assert_eq!(frame(&mut pacing, 7.0, &click, None), (click.to_vec(), 7.0, false));
+    }
+
+    #[test]
+    fn clicks_wait_for_the_document_but_not_for_long() {
+        let opening = |pacing: &mut Pacing, now: f64, events: &[Event], is_opening: bool| {
+            let mut raw = RawInput { time: Some(now), events: events.to_vec(), ..RawInput::default() };
+            pacing.pace(&mut raw, None, is_opening);
+            raw.events
+        };
+        let click = [button(1.0, true)];
+        let mut pacing = Pacing::default();
+        for at in 0..9 {
+            assert_eq!(
+                opening(&mut pacing, 5.0 + 0.1 * f64::from(at), &click[..usize::from(at == 4)], true),
+                []
+            );
+        }
+        for _ in 0..FRAMES_UNTIL_LAYOUT {
+            assert_eq!(opening(&mut pacing, 6.0, &[], false), [], "the view is still being set");
+        }
+        assert_eq!(opening(&mut pacing, 6.0, &[], false), click);
+
+        let mut pacing = Pacing::default();
+        assert_eq!(opening(&mut pacing, 5.0, &click, true), []);
+        for _ in 0..FRAMES_UNTIL_LAYOUT {
+            assert_eq!(opening(&mut pacing, 5.0 + MAX_WAIT_SECONDS, &[], true), []);
+        }
+        assert_eq!(opening(&mut pacing, 5.0 + MAX_WAIT_SECONDS, &[], true), click);
     }
 
     #[test]
@@ -112,7 +148,7 @@ mod tests {
                 // Every frame takes a second.
                 now += 1.0;
                 let mut raw = RawInput { time: Some(now), events, ..RawInput::default() };
-                pacing.pace(&mut raw, pressed);
+                pacing.pace(&mut raw, pressed, false);
                 let id = egui::Id::unique("area");
                 let mut output = ctx.run_ui(raw, |ui| {
                     let area = ui.interact(ui.max_rect(), id, egui::Sense::click());

@@ -85,7 +85,8 @@ impl eframe::App for PageApp {
             return;
         }
         self.page.pressed().mark(raw_input);
-        if self.pacing.pace(raw_input, time_of_button()) {
+        let is_opening = self.page.app().is_some_and(|app| app.is_opening());
+        if self.pacing.pace(raw_input, time_of_button(), is_opening) {
             ctx.request_repaint();
         }
     }
