@@ -17,8 +17,7 @@ wasm_bindgen_test_configure!(run_in_browser);
 /// eframe takes a pen for a mouse.
 #[wasm_bindgen_test]
 fn the_page_knows_a_pen_from_a_mouse() {
-    let device = DeviceInfo { renderer: String::new(), adapter: String::new() };
-    let browser = Browser::new(&egui::Context::default(), device);
+    let browser = browser_of_page(&egui::Context::default());
     let point = js_sys::Function::new_with_args(
         "event, type",
         "document.body.dispatchEvent(new PointerEvent(event, {pointerType: type, bubbles: true}))",
