@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readdir } from "node:fs/promises";
 
-import { DESKTOP, Editor, PHONE, SMALL, browserTest, editorTest, serve, site } from "./harness.mjs";
+import { DESKTOP, Editor, PHONE, SMALL, browserTest, serve, site } from "./harness.mjs";
 
 const PROGRAM = /meshwright-web-.*\.wasm$/;
 
@@ -124,35 +124,4 @@ browserTest("webgl2", "a program that is missing is said to be", {}, async () =>
     await editor.close();
     await server.stop();
   }
-});
-
-editorTest("a click on the model before the editor is ready counts", { sizes: [SMALL] }, async (editor) => {
-  const { page } = editor;
-  const at = await editor.project([0, 0.3, 1]);
-  await page.addInitScript(([x, y]) => {
-    const listen = EventTarget.prototype.addEventListener;
-    const state = { ready: false };
-    window.earlyClick = state;
-    listen.call(document, "DOMContentLoaded", () => window.meshwright.ready.then(() => { state.ready = true; }));
-    const click = (canvas) => {
-      state.beforeReady = !state.ready;
-      const options = { clientX: x, clientY: y, bubbles: true, cancelable: true, pointerId: 1, isPrimary: true, pointerType: "mouse" };
-      canvas.dispatchEvent(new MouseEvent("mousemove", options));
-      canvas.dispatchEvent(new PointerEvent("pointerdown", { ...options, button: 0, buttons: 1 }));
-      canvas.dispatchEvent(new PointerEvent("pointerup", { ...options, button: 0, buttons: 0 }));
-    };
-    // As soon as the program listens, before it has drawn anything.
-    EventTarget.prototype.addEventListener = function (type, ...rest) {
-      listen.call(this, type, ...rest);
-      if (type !== "pointerdown" || this.id !== "meshwright" || "clicked" in state) return;
-      state.clicked = true;
-      setTimeout(() => click(this));
-    };
-  }, at);
-  await page.reload();
-  await editor.ready();
-  await editor.frames(5);
-  assert.equal(await page.evaluate(() => window.earlyClick.beforeReady), true, "the click comes before");
-  const { selection } = await editor.state();
-  assert.deepEqual(selection.ids.length, 1, "what was clicked is selected");
 });
