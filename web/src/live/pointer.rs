@@ -7,9 +7,9 @@ use super::lock::Lock;
 
 /// A pointer that begins nearer to the middle than this gives no useful ratio of distances, in points.
 const MIN_RADIUS_POINTS: f32 = 24.0;
-/// One that begins nearer than this is in the middle, which tells no direction from another. From there, this many points
-/// to the right or up double the size.
+/// A pointer that begins nearer than this is in the middle, which tells no direction from another, in points.
 const MIN_DIRECTED_RADIUS_POINTS: f32 = 10.0;
+/// From the middle, this many points to the right or up double the size.
 const DOUBLING_TRAVEL_POINTS: f32 = 120.0;
 /// A direction that the picture shows shorter than this part of its length points at the viewer.
 const MIN_VISIBLE_PART: f32 = 0.2;
