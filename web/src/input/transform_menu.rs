@@ -125,7 +125,7 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
             .synonyms(CURSOR),
     ),
     Some(
-        entry(A::CursorMenu, "Cursor menu", "Open a menu of what the 3D cursor is for, at the pointer.")
+        entry(A::CursorMenu, "Cursor menu", "Open the menu of the 3D cursor at the pointer.")
             .synonyms(&["snap menu", "3d cursor"]),
     ),
     Some(entry(

@@ -219,7 +219,7 @@ pub(super) static ENTRIES: &[Option<Entry>] = &[
         "Colour faces by how close they are to regular polygons: dark ones are slivers.",
         &["triangle shape", "aspect ratio", "slivers"],
     ),
-    also(A::LookMenu, "Look menu", "Open a menu of the looks at the pointer.", &["shading menu"]),
+    also(A::LookMenu, "Look menu", "Open the menu of looks at the pointer.", &["shading menu"]),
     also(
         A::Look(Look::Studio),
         "Studio lights",
