@@ -190,16 +190,12 @@ impl Keeper {
             }
             Answer::NotOpened { opening, why } => {
                 let untouched = session.platform.load_tab_setting(UNTOUCHED_SETTING);
-                if self.opening_of(&opening).is_none() {
-                    return false;
-                }
-                let is_start = self.kept.is_none();
-                let is_gone = matches!(why, WhyNot::Missing | WhyNot::Damaged);
-                if is_start && is_gone && self.open_before(session) {
-                    return false;
-                }
                 let Some(opening) = self.opening_of(&opening) else { return false };
                 let is_no_loss = why == WhyNot::Missing && untouched.is_some_and(|id| opening.is_of(&id));
+                let is_gone = matches!(why, WhyNot::Missing | WhyNot::Damaged);
+                if self.kept.is_none() && is_gone && self.open_before(session) {
+                    return false;
+                }
                 let said = (!is_no_loss).then(|| messages::not_opened(&why));
                 return self.not_opened(session, said);
             }
